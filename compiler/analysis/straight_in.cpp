@@ -105,6 +105,15 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
       .body_mm = in_mm(body.radius_mm - body.position_error_mm),
       .least_mm = in_mm(body.radius_mm),
       .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm)};
+  // what a retreat looks for, from outside of its zone, too (runtime/core/retreat.cpp)
+  if (ir::goes_back(step.kind)) {
+    const std::int64_t slack_mm = body.end_reach_mm + body.position_error_mm;
+    query.straight_mm = {in_mm(aims_at_mm(at.decision, step)),
+                         in_mm(step.return_clearance_mm + slack_mm),
+                         in_mm(step.return_clearance_mm), in_mm(step.route_clearance_mm),
+                         in_mm(body.radius_mm + slack_mm)};
+    std::ranges::sort(query.straight_mm, std::greater());
+  }
   // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
   query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
   if (at.decision.robots == 1) {

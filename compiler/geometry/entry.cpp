@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
 
 #include "compiler/geometry/connectors.h"
 
@@ -23,7 +26,7 @@ constexpr int tests_max = 2000;
 constexpr int rings_surely = 18;
 // Of a leg so many places are looked at that may be too far from the zone.
 constexpr int samples = 24;
-constexpr std::int64_t looks_max = 1'600'000'000;
+constexpr std::int64_t looks_max = 3'200'000'000;
 
 struct Vec {
   double x = 0, y = 0;
@@ -34,8 +37,9 @@ struct Box {
 struct Cell {
   Vec middle;
   std::int32_t clearance_mm;
-  std::int32_t ring;  // around the one that the search begins at
-  double off = 0.5;   // the share of the way there after which it is farthest from the zone
+  std::int32_t ring;     // around the one that the search begins at
+  bool settled = false;  // ways there are sound, or not taken
+  double off = 0.5;      // the share of the way there after which it is farthest from the zone
 };
 Vec operator-(Vec a, Vec b) {
   return {a.x - b.x, a.y - b.y};
@@ -117,13 +121,15 @@ class Entering {
         query_(query),
         starts_(query.starts ? std::optional<Starts>(*query.starts) : std::nullopt),
         forgiven_(std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)),
-        connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_) {
+        connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_),
+        sight_(zone.edges, query.least_mm, 0, query.loss_mm - rounding_mm) {
     for (const EdgeRow& e : zone.edges) {
       const auto [left, right] = std::minmax({double(e.a.x_mm), double(e.b.x_mm)});
       const auto [low, top] = std::minmax({double(e.a.y_mm), double(e.b.y_mm)});
       boxes_.push_back({left, low, right, top});
     }
-    if (!starts_) return;
+    look_at_all();
+    if (query.straight_mm.front() > 0) corners_ = corners_inwards();
     for (const EdgeRow& e : fence.edges) depth_ = std::min(depth_, to_zone(e));
   }
 
@@ -141,13 +147,15 @@ class Entering {
         if (fence_.clearance_mm_lo[at] < 0) continue;
         const double x = fence_.origin.x_mm + column * size, y = fence_.origin.y_mm + row * size;
         const Vec middle{x + size / 2, y + size / 2};
+        look_at_all();
         if (starts_ ? !starts_->are_near(middle, size / std::sqrt(2.0))
-                    : is_inside(middle, size / std::sqrt(2.0))) {
+                    : is_inside(middle, size / std::sqrt(2.0) + query_.least_mm)) {
           continue;
         }
         const std::vector<Cell> cells = cells_near(middle);
-        double reach = 0;
+        double reach = nearest_of_zone(middle) + size + query_.straight_mm.front();
         for (const Cell& c : cells) reach = std::max(reach, distance(c.middle, middle));
+        (void)sight_.look_around(x, y, size, reach);
         const bool stays =
             stays_within(connectors_.look_around(x, y, size, reach), cells, halvings_max);
         if (looks_ > looks_max) return {Entry::How::too_large, {}};
@@ -171,9 +179,9 @@ class Entering {
   }
   // How far its boundary is.
   [[nodiscard]] double nearest_of_zone(Vec p) {
-    looks_ += static_cast<std::int64_t>(zone_.edges.size());
+    looks_ += static_cast<std::int64_t>(near_.size());
     double square = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    for (const std::size_t i : near_) {
       const Box& b = boxes_[i];
       const double x = std::max({b.left - p.x, p.x - b.right, 0.0});
       const double y = std::max({b.low - p.y, p.y - b.top, 0.0});
@@ -231,44 +239,82 @@ class Entering {
     const Vec middle{spot.x_mm, spot.y_mm};
     const double radius = spot.radius_mm();
     if (connectors_.holds_nobody(spot)) return true;
-    if (starts_ ? !starts_->are_near(middle, radius) || keeps_what_it_has(spot)
-                : is_inside(middle, radius)) {
-      return true;
-    }
+    if (starts_ && !starts_->are_near(middle, radius)) return true;
+    const double nearest = nearest_of_zone(middle), off = contains(middle) ? -nearest : nearest;
+    if (-off > radius && keeps_what_it_has(spot, -off - radius)) return true;
     if (looks_ > looks_max) return false;
+    // its middle does: so will smaller parts, whatever ways there are
+    const bool small = radius < forgiven_ / 4;
+    if (-off > radius && !small &&
+        keeps_what_it_has({spot.x_mm, spot.y_mm, 0, spot.gap_mm}, -off)) {
+      return in_parts(spot, cells, halvings);
+    }
     // a way from outside goes on in the zone
     const bool deep = depth_ + forgiven_ >= query_.clearance_mm;
-    if (starts_ && !deep) return halvings > 0 && in_parts(spot, cells, halvings);
-    const double off = contains(middle) ? 0 : nearest_of_zone(middle);
-    const bool closely = halvings <= halvings_max - whole_levels;
+    if (starts_ && !deep) return in_parts(spot, cells, halvings);
     const double farthest = farthest_taken(spot, cells, off);
-    std::vector<Cell> taken, open;
+    const bool first = near_.size() == boxes_.size() && std::isfinite(farthest);
+    if (first) look_near(spot, off, farthest);
+    const bool stays = ways_stay_within(spot, cells, halvings, off, farthest);
+    if (first) look_at_all();
+    return stays;
+  }
+  bool ways_stay_within(const Connectors::Spot& spot, const std::vector<Cell>& cells, int halvings,
+                        double off, double farthest) {
+    const Vec middle{spot.x_mm, spot.y_mm};
+    const double radius = spot.radius_mm();
+    const bool closely = halvings <= halvings_max - whole_levels;
+    const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
+    std::vector<Cell> taken;
+    bool all = true;
     for (Cell c : cells) {
       if (distance(c.middle, middle) - radius > farthest) continue;
-      looks_ += 8;
-      const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
-      const bool stays = connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0}) ||
-                         leads_off(spot, c, most, closely);
-      if (query_.alone) taken.push_back(c);
-      if (!stays) open.push_back(c);
+      if (!c.settled) {
+        looks_ += 8;
+        c.settled = connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0}) ||
+                    leads_off(spot, c, most, closely);
+      }
+      all = all && c.settled;
+      if (query_.alone || !c.settled) taken.push_back(c);
     }
-    if (open.empty() && nearest_are_sound(spot, off)) return true;
-    return halvings > 0 && in_parts(spot, query_.alone ? taken : open, halvings);
+    if (all && nearest_are_sound(spot, off)) return true;
+    return in_parts(spot, taken, halvings);
+  }
+  // The edges that may be the nearest ones of places on ways from the spot, as long as those may
+  // be.
+  void look_near(const Connectors::Spot& spot, double off, double farthest) {
+    const double way = std::max(farthest, std::abs(off) + query_.straight_mm.front());
+    near_.clear();
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const Vec p{spot.x_mm, spot.y_mm};
+      if (distance(nearest_on(zone_.edges[i], p), p) <=
+          2 * (way + 2 * spot.side_mm) + std::abs(off)) {
+        near_.push_back(i);
+      }
+    }
+  }
+  void look_at_all() {
+    near_.resize(boxes_.size());
+    std::iota(near_.begin(), near_.end(), std::size_t{0});
   }
   bool in_parts(const Connectors::Spot& spot, const std::vector<Cell>& cells, int halvings) {
+    if (halvings == 0) return false;
     const auto parts = connectors_.quarters(spot);
     return std::all_of(parts.begin(), parts.end(), [&](const Connectors::Spot& part) {
       return stays_within(part, cells, halvings - 1);
     });
   }
-  // Ways that begin in the zone lose `loss_mm` at most of the clearance in it, or of what a body
-  // needs, and all of it is as much farther from the boundary of the fence as the two are apart.
-  bool keeps_what_it_has(const Connectors::Spot& spot) {
-    const Vec middle{spot.x_mm, spot.y_mm};
-    const double nearest = nearest_of_zone(middle), radius = spot.radius_mm();
-    const double asked = std::min<double>(query_.clearance_mm, spot.gap_mm + radius);
-    const double kept = std::min<double>(nearest - radius, query_.least_mm) - query_.loss_mm;
-    return nearest > radius && contains(middle) && depth_ + kept + forgiven_ >= asked;
+  // Ways that begin in the zone, so far from its boundary, lose `loss_mm` at most of that, or of
+  // what a body needs, and all of it is as much farther from the boundary of the fence as the two
+  // are apart. Where a body fits in the zone that is enough for what a fence with an end asks
+  // (analysis: keeps_off.h); who is nearer is led straight, and that clearance is all it keeps.
+  [[nodiscard]] bool keeps_what_it_has(const Connectors::Spot& spot, double nearest) const {
+    if (!starts_ && nearest >= query_.least_mm) return true;
+    const double kept = std::min<double>(nearest, query_.least_mm) - query_.loss_mm;
+    return depth_ + kept + forgiven_ >= asked_from(spot);
+  }
+  [[nodiscard]] double asked_from(const Connectors::Spot& spot) const {
+    return std::min<double>(query_.clearance_mm, spot.gap_mm + spot.radius_mm());
   }
   // How far the zone is from an edge of the fence that it lies in.
   double to_zone(const EdgeRow& of) {
@@ -280,14 +326,16 @@ class Entering {
     }
     return least;
   }
-  // The way from anywhere in the spot to the cell leads farther from the zone than `most`.
+  // The way from anywhere in the spot to the cell leads farther from the zone than `most`; in the
+  // zone that is less than 0.
   bool leads_off(const Connectors::Spot& spot, Cell& cell, double most, bool closely) {
-    double most_off = 0;
+    double most_off = -std::numeric_limits<double>::infinity();
     const auto look = [&](double t) {
       const Vec at{spot.x_mm + t * (cell.middle.x - spot.x_mm),
                    spot.y_mm + t * (cell.middle.y - spot.y_mm)};
-      const double way = nearest_of_zone(at);
-      if (way > most_off && !contains(at)) cell.off = t, most_off = way;
+      double way = nearest_of_zone(at);
+      if (way > most_off && contains(at)) way = -way;
+      if (way > most_off) cell.off = t, most_off = way;
       return most_off > most;
     };
     if (look(cell.off)) return true;
@@ -296,7 +344,7 @@ class Entering {
     }
     for (double step = 0.5 / samples; closely && step > 0.005 / samples; step /= 2) {
       const double from = cell.off;
-      if (look(from - step) || look(from + step)) return true;
+      if (look(std::max(from - step, 0.0)) || look(std::min(from + step, 1.0))) return true;
     }
     return false;
   }
@@ -316,10 +364,17 @@ class Entering {
   }
   // From each place of the zone that may be the nearest one a straight way in the zone leads there:
   // then a way from the spot is nowhere farther from the zone than it begins, since it is as far
-  // from that other way at most, of each place the share that is left.
+  // from that other way at most, of each place the share that is left. In the zone that would be a
+  // loss of what it has, twice: not of so little.
   bool is_seen(const Connectors::Spot& spot, double off, Vec to) {
     const Vec middle{spot.x_mm, spot.y_mm};
     const double radius = spot.radius_mm(), half = spot.side_mm / 2;
+    if (-off > radius) {
+      const double gap = std::min<double>(-off, query_.least_mm);
+      return sight_.is_sound({spot.x_mm, spot.y_mm, spot.side_mm, gap}, {to.x, to.y, 0});
+    }
+    if (off < radius && 2 * (radius - off) > query_.loss_mm) return false;
+    off = std::max(off, 0.0);
     looks_ += static_cast<std::int64_t>(zone_.edges.size());
     for (const EdgeRow& e : zone_.edges) {
       if (distance(nearest_on(e, middle), middle) > off + 2 * radius) continue;
@@ -361,14 +416,81 @@ class Entering {
       return inside || crosses(from[0]) || crosses(from[1]);
     });
   }
-  // Straight to the nearest place of the zone: of each edge, as far off as the spot is wide.
+  // Straight through the nearest place of the boundary of the zone, or away from it, up to where
+  // that is as far as is wanted, if nothing else of it is nearer there.
   bool nearest_are_sound(const Connectors::Spot& spot, double off) {
-    const double radius = spot.radius_mm();
-    return std::all_of(zone_.edges.begin(), zone_.edges.end(), [&](const EdgeRow& e) {
-      const Vec q = nearest_on(e, {spot.x_mm, spot.y_mm});
-      const double way = distance(q, {spot.x_mm, spot.y_mm});
-      return way > off + 2 * radius || connectors_.is_sound(spot, {q.x, q.y, 0}, radius);
+    const double radius = spot.radius_mm(), near = std::abs(off) + 2 * radius;
+    const double farthest = query_.straight_mm.front();
+    const bool recedes = off < radius && recedes_enough(spot, std::max(-off - radius, 0.0));
+    if (recedes && -off > radius) return true;
+    const Vec p{spot.x_mm, spot.y_mm};
+    // What is as far from an edge beside a corner leads off at a right angle, up to the micrometre
+    // that is forgiven there (find_straight), but in the zone, from a corner that points into it.
+    const double aside = radius + std::sqrt(0.002 * farthest);
+    for (const EdgeRow& e : zone_.edges) {
+      const Vec q = nearest_on(e, p);
+      if (distance(q, p) > near) continue;
+      const Vec along{double(e.b.x_mm) - e.a.x_mm, double(e.b.y_mm) - e.a.y_mm};
+      const double length = distance(along, {});
+      const Vec left{-along.y / length, along.x / length};
+      if (!is_straight_sound(spot, q, left, aside)) return false;
+      if (farthest > 0 && !is_straight_sound(spot, q, Vec{} - left, aside)) return false;
+    }
+    if (off >= radius || recedes || farthest == 0) return true;
+    return std::ranges::all_of(corners_, [&](Vec v) {
+      const double way = distance(v, p);
+      if (way > near) return true;
+      if (way <= radius) return false;  // it leads anywhere
+      const Vec on{(p.x - v.x) / way, (p.y - v.y) / way};
+      return is_straight_sound(spot, v, on, 2 * radius * farthest / (2 * way - radius));
     });
+  }
+  // Corners that point into the zone: from the smaller angle beside them one looks out of it.
+  [[nodiscard]] std::vector<Vec> corners_inwards() const {
+    std::vector<Vec> found;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<const EdgeRow*>> from;
+    for (const EdgeRow& e : zone_.edges) from[{e.a.x_mm, e.a.y_mm}].push_back(&e);
+    for (const EdgeRow& e : zone_.edges) {
+      const auto next = from.find({e.b.x_mm, e.b.y_mm});
+      const Vec v{double(e.b.x_mm), double(e.b.y_mm)};
+      if (next != from.end() && next->second.size() == 1) {
+        const EdgeRow& n = *next->second.front();
+        const Vec a{double(e.a.x_mm), double(e.a.y_mm)}, b{double(n.b.x_mm), double(n.b.y_mm)};
+        const double first = distance(a, v), second = distance(b, v);
+        constexpr double step_mm = 0.01;
+        if (contains({v.x + step_mm * ((b.x - v.x) / second + (a.x - v.x) / first),
+                      v.y + step_mm * ((b.y - v.y) / second + (a.y - v.y) / first)})) {
+          continue;
+        }
+      }
+      found.push_back(v);
+    }
+    return found;
+  }
+  // From the spot through q, or to near there, up to each clearance that may be wanted.
+  bool is_straight_sound(const Connectors::Spot& spot, Vec q, Vec on, double off) {
+    for (const std::int32_t wanted : query_.straight_mm) {
+      const Vec end{q.x + wanted * on.x, q.y + wanted * on.y};
+      if (connectors_.is_sound(spot, {end.x, end.y, 0}, off)) return true;  // and less of it
+      const bool taken = wanted == 0 || (nearest_of_zone(end) + off + 1 > wanted &&
+                                         (nearest_of_zone(end) <= off || contains(end)));
+      if (taken) return false;
+    }
+    return true;
+  }
+  // Who is c from the boundary of the zone is led straight away from it over w - c, to a place that
+  // is w from all of it, so w + depth from that of the fence, of which nothing was nearer than A.
+  // Of what is y ahead and x beside: x^2 + y^2 >= A^2 and x^2 + (w - c - y)^2 >= (w + depth)^2. So
+  // x is least where both are equal, at y = (A^2 + (w - c)^2 - (w + depth)^2) / (2 (w - c)), or
+  // nothing is ahead. Less than is forgiven, f, is lost if y^2 <= A^2 - (A - f)^2: for the largest
+  // A also for lesser ones, as y grows with its square, and the root of that slower.
+  [[nodiscard]] bool recedes_enough(const Connectors::Spot& spot, double nearest) const {
+    const double wanted = query_.straight_mm.back(), most = nearest + 2 * spot.radius_mm();
+    if (wanted <= most + forgiven_) return false;
+    const double asked = asked_from(spot), end = wanted + depth_, way = wanted - nearest;
+    const double ahead = (asked * asked + way * way - end * end) / (2 * (wanted - most));
+    return end + forgiven_ >= asked &&
+           (ahead <= 0 || ahead * ahead <= 2 * asked * forgiven_ - forgiven_ * forgiven_);
   }
 
   const Table& zone_;
@@ -378,7 +500,10 @@ class Entering {
   double depth_ = std::numeric_limits<double>::infinity();  // of the zone in the fence
   const double forgiven_;
   Connectors connectors_;
-  std::vector<Box> boxes_;  // of the edges of the zone
+  Connectors sight_;               // in the zone
+  std::vector<Box> boxes_;         // of the edges of the zone
+  std::vector<std::size_t> near_;  // of those, for the cell
+  std::vector<Vec> corners_;       // of the zone, that point into it
   std::int64_t looks_ = 0;
 };
 

@@ -22,6 +22,9 @@ struct EntryQuery {
   std::int32_t least_mm = 0;      // clearance of the cells of the zone that ways lead to, at least
   std::int32_t tested_mm = 0;     // and of those that count among the ones that it tries
   std::int32_t loss_mm = 0;       // how much farther from the zone a way may lead than it begins
+  // How far from the boundary of the zone a way ends that leads straight away from the nearest
+  // place of it, or in through that, farthest first; 0: there.
+  std::vector<std::int32_t> straight_mm{0};
   // Of a robot that no other one is in the way of: the clearance that it looks for first, and how
   // far off it considers all cells, whatever is nearest. none: of others anything may be.
   struct Alone {
@@ -39,12 +42,11 @@ struct Entry {
   GridPoint place;  // beyond: from about there
 };
 
-// Of every place in the fence and outside of the zone where a body can be, whether each way that is
-// straight stays as clear of the fence as is asked: to the nearest place of the zone, and to each
-// cell of it near enough to be tried which leads nowhere farther from it; of a robot that is alone,
-// to none beyond the nearest one that is surely seen. Of those that begin in the zone, where its
-// places are not as far from the boundary of the fence as is asked, only that they keep what they
-// have of it is known.
+// Of every place in the fence where a body can be, but does not fit in the zone, whether each way
+// that is straight stays as clear of the fence as is asked: through the nearest place of its
+// boundary, and to each cell of it near enough to be tried which leads nowhere farther from it, or
+// in it nearer to its boundary; of a robot that is alone, to none beyond the nearest one that is
+// surely seen.
 Entry entry(const Table& zone, const Table& fence, const EntryQuery& query);
 
 }  // namespace rtac::geometry

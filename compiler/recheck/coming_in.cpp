@@ -166,14 +166,16 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
       !y) {
     return false;
   }
-  bool over_cells = false;  // some recovery within that zone is no retreat
+  bool over_cells = false,
+       goes_back = false;  // some recovery within that zone is no retreat, or one
   for (const sema::MonitorId id : d.priority) {
     if (!spec[id].recover) continue;
     for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
       const auto moves = sema::moves_of(what);
       if (!moves || moves->zone != zone) continue;
-      over_cells = over_cells || std::holds_alternative<sema::Route>(what) ||
-                   std::holds_alternative<sema::Yield>(what);
+      const bool over =
+          std::holds_alternative<sema::Route>(what) || std::holds_alternative<sema::Yield>(what);
+      (over ? over_cells : goes_back) = true;
     }
   }
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
@@ -181,12 +183,20 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
   const double clearance = radius + gap_of(spec, *judged.always, fence).get_d();
   const auto aim = number(v, "aim_mm");
-  if (over_cells && !aim) return false;
+  if (!aim) return false;
   const double tested = over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
   EnteringLimits limits{clearance, body, radius, tested, over_cells ? 0.008 : 0.002};
+  if (goes_back) {
+    // it looks for the clearance of return, or at least for the body and what its ways end short by
+    constexpr double short_by = 0.02;
+    const Rational back = claims.return_clearance(d, zone, 0);
+    if (!over_cells && milli(*aim) < back) return false;
+    limits.straight_least = std::max(radius, std::min(back.get_d(), radius + short_by));
+    limits.straight_most = std::max(limits.straight_least, milli(*aim).get_d());
+  }
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
-  if (robots == 1 && aim && milli(*aim) >= kind.radius.value) {
+  if (robots == 1 && milli(*aim) >= kind.radius.value) {
     const double width = milli(*cell).get_d();
     const double reach = over_cells ? std::max(0.4, 2 * width) + width : 0;
     limits.alone = {milli(*aim).get_d(), reach};

@@ -1,8 +1,10 @@
 #include "compiler/recheck/entering.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,7 +18,8 @@ namespace {
 struct End {
   Place place;
   double clearance;
-  int ring;  // of cells, around the one that the search begins at
+  int ring;            // of cells, around the one that the search begins at
+  bool stays = false;  // a way there does, or is none
   double farthest = 0.5;
 };
 double turn(Place a, Place b, Place c) {
@@ -32,7 +35,7 @@ class Entries {
       const std::vector<Segment> edges = segments_of(region);
       starts_.insert(starts_.end(), edges.begin(), edges.end());
     }
-    if (starts_.empty()) return;
+    if (limits.straight_most > 0) corners_ = corners_inwards();
     for (const Segment& s : zone_) depth_ = std::min(depth_, between(s, fence_));
     for (const Segment& s : fence_) depth_ = std::min(depth_, between(s, zone_));
   }
@@ -47,13 +50,19 @@ class Entries {
     for (double y = low - more; y < top + more; y += square_m) {
       for (double x = left - more; x < right + more; x += square_m) {
         const Box square{x, y, x + square_m, y + square_m};
-        if (starts_.empty() ? is_inside(square) : !may_start(square)) continue;
+        const double off = to_zone(middle(square));
+        if (starts_.empty()
+                ? off > limits_.least + radius(square) + snap_m && contains(middle(square))
+                : !may_start(square)) {
+          continue;
+        }
         const std::vector<End> ends = ends_near(middle(square));
-        double reach = 0;
+        double reach = off + limits_.straight_most;
         for (const End& e : ends) reach = std::max(reach, apart(e.place, middle(square)));
         const Boundary boundary(
             fence_, middle(square),
             reach + 2 * square_m + std::max(limits_.clearance, limits_.body) + snap_m);
+        if (limits_.alone) sight_.emplace(zone_, middle(square), reach + 1);
         const bool stays = stays_within(boundary, square, ends, quarters_max);
         if (steps_ > steps_max) return BadCells{};
         if (!stays) return std::optional(geometry::Point{Rational(x), Rational(y)});
@@ -108,17 +117,33 @@ class Entries {
     }
     return std::sqrt(square);
   }
-  // A way in the zone loses little of the clearance there, and of that in the fence no more: all of
-  // the zone is `depth_` from its boundary.
-  bool keeps_what_it_has(const Boundary& boundary, const Box& from) {
-    const double nearest = to_zone(middle(from)) - radius(from) - snap_m;
-    const double kept = std::min(nearest, limits_.least) - limits_.loss;
-    return nearest > 0 && contains(middle(from)) &&
-           depth_ + kept >= boundary.asked_from(from, limits_.clearance, forgiven());
+  // A way in the zone, from so far inside, loses little of the clearance there, and of that in the
+  // fence no more: all of the zone is `depth_` from its boundary. With room for the body that is
+  // enough for a fence with an end: what it asks for beyond that is another claim.
+  bool keeps_what_it_has(const Boundary& boundary, const Box& from, double inside) const {
+    if (starts_.empty() && inside >= limits_.least) return true;
+    const double kept = std::min(inside, limits_.least) - limits_.loss;
+    return depth_ + kept >= boundary.asked_from(from, limits_.clearance, forgiven());
   }
-  // With what the zone of a robot may be smaller by.
-  bool is_inside(const Box& b) {
-    return to_zone(middle(b)) > radius(b) + snap_m && contains(middle(b));
+
+  // Where the zone is not on the side of the smaller angle, or lines meet that are not two.
+  std::vector<Place> corners_inwards() const {
+    std::vector<Place> found;
+    for (const Segment& s : zone_) {
+      const Place v{s.bx, s.by};
+      Place beside = v;
+      int met = 0;
+      for (const Segment& o : zone_) {
+        if ((o.ax != v.x || o.ay != v.y) && (o.bx != v.x || o.by != v.y)) continue;
+        const bool starts = o.ax == v.x && o.ay == v.y;
+        const Place d = starts ? Place{o.bx - v.x, o.by - v.y} : Place{o.ax - v.x, o.ay - v.y};
+        const double step = 1e-5 / length(d.x, d.y);
+        beside = {beside.x + step * d.x, beside.y + step * d.y};
+        ++met;
+      }
+      if (met != 2 || !contains(beside)) found.push_back(v);
+    }
+    return found;
   }
 
   std::vector<End> ends_near(Place p) const {
@@ -150,43 +175,57 @@ class Entries {
   bool stays_within(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
                     int times) {
     if (boundary.holds_nobody(from, limits_.body)) return true;
-    const bool done =
-        starts_.empty() ? is_inside(from) : !may_start(from) || keeps_what_it_has(boundary, from);
-    if (done || steps_ > steps_max) return done;
+    if (!starts_.empty() && !may_start(from)) return true;
+    const double nearest = to_zone(middle(from));
+    const double off = contains(middle(from)) ? -nearest : nearest;
+    const double inside = -off - radius(from) - snap_m;
+    if (inside > 0 && keeps_what_it_has(boundary, from, inside)) return true;
+    if (steps_ > steps_max) return false;
+    // with room beside its middle that may be so of its parts alone
+    if (-off > radius(from) && radius(from) > forgiven() / 4 && times > 0 &&
+        depth_ + std::min(-off, limits_.least) - limits_.loss >=
+            boundary.asked_from(from, limits_.clearance, forgiven()) - radius(from)) {
+      return in_quarters(boundary, from, ends, times);
+    }
     // what begins outside goes on in the zone, wherever that is
     if (!starts_.empty() && depth_ + forgiven() < limits_.clearance) {
-      return times > 0 && std::ranges::all_of(quarters(from), [&](const Box& quarter) {
-               return stays_within(boundary, quarter, ends, times - 1);
-             });
+      return in_quarters(boundary, from, ends, times);
     }
-    const double off = contains(middle(from)) ? 0 : to_zone(middle(from));
     const double asked = boundary.asked_from(from, limits_.clearance, forgiven());
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
-    std::vector<End> taken, open;
+    std::vector<End> taken;
+    bool all = true;
     for (End e : ends) {
       if (apart(e.place, middle(from)) - radius(from) > farthest) continue;
-      steps_ += 30;
-      const bool stays = boundary.keeps(from, e.place, asked) ||
-                         leads_off(from, e, off, times <= quarters_max - ways_followed_after);
-      taken.push_back(e);
-      if (!stays) open.push_back(e);
+      if (!e.stays) {
+        steps_ += 30;
+        e.stays = boundary.keeps(from, e.place, asked) ||
+                  leads_off(from, e, off, times <= quarters_max - ways_followed_after);
+      }
+      all = all && e.stays;
+      if (limits_.alone || !e.stays) taken.push_back(e);
     }
-    if (open.empty() && to_the_nearest(boundary, from, off, asked)) return true;
-    if (times == 0) return false;
-    return std::ranges::all_of(quarters(from), [&](const Box& quarter) {
-      return stays_within(boundary, quarter, limits_.alone ? taken : open, times - 1);
-    });
+    if (all && to_the_nearest(boundary, from, off, asked)) return true;
+    return in_quarters(boundary, from, taken, times);
   }
-  // Somewhere on the way it is farther from the zone than it may be, from wherever it begins.
+  bool in_quarters(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
+                   int times) {
+    return times > 0 && std::ranges::all_of(quarters(from), [&](const Box& quarter) {
+             return stays_within(boundary, quarter, ends, times - 1);
+           });
+  }
+  // Somewhere on the way it is farther from the zone than it may be, from wherever it begins; less
+  // than 0 in the zone.
   bool leads_off(const Box& from, End& end, double off, bool closely) {
     const Place m = middle(from);
     const double most = off + 2 * radius(from) + limits_.loss + 0.0001;
-    double farthest = 0;
+    double farthest = -1e300;
     const auto look = [&](double t) {
       const Place at{m.x + t * (end.place.x - m.x), m.y + t * (end.place.y - m.y)};
-      const double way = to_zone(at);
-      if (way <= farthest || contains(at)) return;
-      end.farthest = t, farthest = way;
+      const double nearest = to_zone(at);
+      if (nearest <= farthest) return;
+      const double way = contains(at) ? -nearest : nearest;
+      if (way > farthest) end.farthest = t, farthest = way;
     };
     look(end.farthest);
     double low = 0, high = 1;
@@ -199,7 +238,8 @@ class Entries {
     return farthest > most;
   }
   // It takes no cell that is farther off than one to which straight ways in the zone lead from all
-  // places of it that may be the nearest one: along its own way there it comes nearer to those.
+  // places of it that may be the nearest one: along its own way there it comes nearer to those. Who
+  // begins in the zone keeps what it has on the way there, or has next to nothing.
   double farthest_taken(const Box& from, const std::vector<End>& ends, double off) {
     double nearest = 1e300;
     for (const End& e : ends) {
@@ -212,6 +252,12 @@ class Entries {
     return std::max(nearest, limits_.alone->reach);
   }
   bool in_sight(const Box& from, double off, Place end) {
+    const double round = radius(from), few = limits_.loss - 0.0001;
+    if (-off > round) {
+      return sight_->keeps(from, end, std::min(-off + round, limits_.least) - few);
+    }
+    if (off < round && 2 * (round - off) > few) return false;
+    off = std::max(off, 0.0);
     steps_ += static_cast<std::int64_t>(zone_.size());
     return std::ranges::all_of(zone_, [&](const Segment& s) {
       const Place m = middle(from);
@@ -251,14 +297,85 @@ class Entries {
     }
     return {{s.ax + first * d.x, s.ay + first * d.y}, {s.ax + last * d.x, s.ay + last * d.y}};
   }
-  // To the nearest place of each line that may be nearest: between those of the corners.
+  // Through the nearest place of each line that may be nearest, or away from it, at a right angle,
+  // up to any distance that may be wanted; from inside, away from corners that point there.
   bool to_the_nearest(const Boundary& boundary, const Box& from, double off, double asked) {
-    return std::ranges::all_of(zone_, [&](const Segment& s) {
-      const Place m = middle(from);
-      if (std::sqrt(square_to(s, m.x, m.y)) > off + 2 * radius(from) + snap_m) return true;
+    const double round = radius(from) + snap_m, near = std::abs(off) + 2 * round;
+    const bool little = off < round && falls_little(std::max(-off - round, 0.0), round, asked);
+    if (little && -off > round) return true;
+    const Place m = middle(from);
+    const bool all = std::ranges::all_of(zone_, [&](const Segment& s) {
+      if (std::sqrt(square_to(s, m.x, m.y)) > near) return true;
       const auto [a, b] = nearest_of(s, from);
-      return boundary.keeps(from, a, b, asked);
+      if (limits_.straight_most <= 0) return boundary.keeps(from, a, b, asked);
+      return goes_across(boundary, from, asked, s, a, b);
     });
+    if (!all || off >= round || little || limits_.straight_most <= 0) return all;
+    return std::ranges::all_of(corners_, [&](Place v) {
+      return apart(v, m) > near || leads_from(boundary, from, asked, v);
+    });
+  }
+  // At a right angle, to either side. What is as far from both sides of a corner up to a micrometre
+  // is askew by so much.
+  bool goes_across(const Boundary& boundary, const Box& from, double asked, const Segment& s,
+                   Place a, Place b) {
+    const double wide = length(s.bx - s.ax, s.by - s.ay);
+    const Place along{(s.bx - s.ax) / wide, (s.by - s.ay) / wide};
+    const double askew = std::sqrt(2e-6 * limits_.straight_most) + 0.0005;
+    return std::ranges::all_of(std::array<double, 2>{1, -1}, [&](double side) {
+      const Place on{-side * along.y, side * along.x};
+      return goes_straight(boundary, from, asked, [&](double far) {
+        return std::vector<Place>{
+            {a.x + far * on.x - askew * along.x, a.y + far * on.y - askew * along.y},
+            {b.x + far * on.x + askew * along.x, b.y + far * on.y + askew * along.y}};
+      });
+    });
+  }
+  // Straight away from one place, of which all of the square is on one side.
+  bool leads_from(const Boundary& boundary, const Box& from, double asked, Place v) {
+    const Place m = middle(from);
+    const double way = apart(v, m);
+    if (way <= 2 * radius(from)) return false;
+    const Place on{(m.x - v.x) / way, (m.y - v.y) / way};
+    const double wide = radius(from) / std::sqrt(way * way - radius(from) * radius(from));
+    // the arc lies between its ends and where its tangent in the middle meets the sides
+    return goes_straight(boundary, from, asked, [&](double far) {
+      std::vector<Place> ends;
+      for (const double ahead : {far, far / std::hypot(1, wide)}) {
+        for (const double beside : {ahead * wide, -ahead * wide}) {
+          ends.push_back({v.x + ahead * on.x + beside * on.y, v.y + ahead * on.y - beside * on.x});
+        }
+      }
+      return ends;
+    });
+  }
+  // To between those ends, as far off as all of the zone's boundary is from there. Where no place
+  // is so far from it, none is farther.
+  template <class Ends>
+  bool goes_straight(const Boundary& boundary, const Box& from, double asked, const Ends& ends) {
+    for (double far = limits_.straight_most; far >= limits_.least; far *= 0.9) {
+      const std::vector<Place> here = ends(far);
+      if (boundary.keeps_to(from, here, asked)) return true;
+      const std::vector<Place> next = ends(0.9 * far);
+      const Place p = next.front();
+      double spread = 0.0005;
+      for (const Place q : next) spread = std::max(spread, apart(p, q) + 0.0005);
+      const double gap = to_zone(p);
+      const bool none = gap + spread < 0.9 * far || (gap > spread && !contains(p));
+      if (!none) return false;
+    }
+    return true;
+  }
+  // Straight from c off one place of the boundary of the zone to w off all of it: of what is y
+  // ahead and x beside, at least A off at first and w + depth at last, x is least where neither
+  // says more. Less than is forgiven is lost for no greater y than the root of A^2 - (A -
+  // forgiven)^2, from all c between `least` and so much more; with less to keep that holds as well.
+  [[nodiscard]] bool falls_little(double least, double more, double asked) const {
+    const double w = limits_.straight_least, most = least + 2 * more;
+    if (w <= most + 0.02 || limits_.straight_most <= 0) return false;
+    const double has = asked + forgiven(), last = w + depth_;
+    const double y = (has * has + (w - least) * (w - least) - last * last) / (2 * (w - most));
+    return last >= asked && (y <= 0 || y * y <= has * has - asked * asked);
   }
 
   const std::vector<Segment>& zone_;
@@ -266,7 +383,9 @@ class Entries {
   const std::vector<Segment>& fence_;
   const EnteringLimits limits_;
   std::vector<Segment> starts_;
-  double depth_ = 1e300;  // of the zone in the fence
+  std::vector<Place> corners_;     // of the zone, that point into it
+  double depth_ = 1e300;           // of the zone in the fence
+  std::optional<Boundary> sight_;  // of the zone
   std::int64_t steps_ = 0;
 };
 

@@ -96,20 +96,28 @@ double Boundary::asked_from(const Box& square, double clearance, double forgiven
   return std::min(clearance, gap(middle(square)) + radius(square)) - forgiven;
 }
 
-// Of ends between a and b, no farther from one of these than half of that: either the legs to both
-// are far enough, or both lead off, which is linear in the end.
-bool Boundary::keeps(const Box& from, Place a, Place b, double asked) const {
+// Either the legs to all ends are far enough, and what lies between those is not far from one of
+// them, or all lead off, which is linear in the end.
+bool Boundary::keeps_to(const Box& from, const std::vector<Place>& ends, double asked) const {
   const Place m = middle(from);
-  const double round = radius(from), far = asked + round;
-  const Box legs{std::min({m.x, a.x, b.x}), std::min({m.y, a.y, b.y}), std::max({m.x, a.x, b.x}),
-                 std::max({m.y, a.y, b.y})};
+  double widest = 0;
+  Box legs{m.x, m.y, m.x, m.y};
+  for (const Place a : ends) {
+    legs = {std::min(legs.x, a.x), std::min(legs.y, a.y), std::max(legs.right, a.x),
+            std::max(legs.top, a.y)};
+    for (const Place b : ends) widest = std::max(widest, length(a.x - b.x, a.y - b.y));
+  }
+  // between two no farther than half of that; between more ones less than two thirds
+  const double spread = ends.size() > 2 ? widest * 2 / 3 : widest / 2;
+  const double far = asked + std::max(radius(from), spread);
   return std::ranges::all_of(near_, [&](const Segment& s) {
     const bool beside =
         std::min(s.ax, s.bx) - legs.right >= far || legs.x - std::max(s.ax, s.bx) >= far ||
         std::min(s.ay, s.by) - legs.top >= far || legs.y - std::max(s.ay, s.by) >= far;
     if (beside) return true;  // mostly
     const auto is_far = [&](Place to) { return between(s, {m.x, m.y, to.x, to.y}) >= far; };
-    return (is_far(a) && is_far(b)) || (leads_off(s, from, a) && leads_off(s, from, b));
+    return std::ranges::all_of(ends, is_far) ||
+           std::ranges::all_of(ends, [&](Place to) { return leads_off(s, from, to); });
   });
 }
 

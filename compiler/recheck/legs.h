@@ -41,7 +41,11 @@ class Boundary {
     return keeps(from, to, to, asked);
   }
   // The same of all legs to between two places no farther from each other than the square is wide.
-  [[nodiscard]] bool keeps(const Box& from, Place a, Place b, double asked) const;
+  [[nodiscard]] bool keeps(const Box& from, Place a, Place b, double asked) const {
+    return keeps_to(from, {a, b}, asked);
+  }
+  // And of all to between several ones.
+  [[nodiscard]] bool keeps_to(const Box& from, const std::vector<Place>& ends, double asked) const;
 
  private:
   [[nodiscard]] double gap(Place p) const;

@@ -27,19 +27,23 @@ safe::Setting setting_of(const ZoneView& zone) {
 // Of a retreat, and of ways over cells.
 EntryQuery cart_query(const safe::Setting& setting) {
   const safe::Setting& s = setting;
-  const double aim_m = s.return_clearance_m + safe::end_reach_m(s) + s.limits.position_error_m;
+  const double slack_m = safe::end_reach_m(s) + s.limits.position_error_m;
+  const auto mm = [](double m) { return static_cast<std::int32_t>(std::lround(1e3 * m)); };
+  const std::int32_t aim_mm = mm(s.return_clearance_m + slack_m);
   return {.clearance_mm = 200,
           .body_mm = 190,
           .least_mm = 200,
           .loss_mm = 2,
-          .alone = EntryQuery::Alone{static_cast<std::int32_t>(std::ceil(1e3 * aim_m)), 0}};
+          .straight_mm = {aim_mm, mm(s.return_clearance_m), mm(s.route_clearance_m),
+                          mm(s.limits.radius_m + slack_m)},
+          .alone = EntryQuery::Alone{aim_mm, 0}};
 }
 const EntryQuery cart = cart_query(setting_of({}));
-constexpr EntryQuery courier{.clearance_mm = 200,
-                             .body_mm = 190,
-                             .least_mm = 200,
-                             .loss_mm = 8,
-                             .alone = EntryQuery::Alone{450, 480}};
+const EntryQuery courier{.clearance_mm = 200,
+                         .body_mm = 190,
+                         .least_mm = 200,
+                         .loss_mm = 8,
+                         .alone = EntryQuery::Alone{450, 480}};
 
 class Ways {
  public:
@@ -49,7 +53,8 @@ class Ways {
   [[nodiscard]] Entry shown(const EntryQuery& query) const {
     return entry({zone_.edges, zone_.cells}, {fence_.edges, fence_.cells}, query);
   }
-  // The first legs from places between the zone and the fence that lead too near to the latter.
+  // The first legs from places in the fence, where no body fits in the zone, that lead too near to
+  // the boundary of the former.
   int astray(bool retreats, int places = 1500) {
     const View zone(zone_), fence(fence_);
     safe::GridRoute route(*zone);
@@ -61,7 +66,7 @@ class Ways {
     for (int looked = 0, tried = 0; looked < places && tried < 200'000; ++tried) {
       const Vec2 p{1e-3 * (cells.origin.x_mm + x(random)), 1e-3 * (cells.origin.y_mm + y(random))};
       const double gap_m = signed_clearance(*fence, p);
-      if (gap_m < 0.19 || signed_clearance(*zone, p) >= 0) continue;
+      if (gap_m < 0.19 || signed_clearance(*zone, p) >= 0.2) continue;
       ++looked;
       const std::optional<Vec2> to = retreats ? retreat_from(*zone, p) : along(route, p);
       if (!to) continue;
@@ -138,6 +143,36 @@ TEST(Entry, InRandomRooms) {
     }
   }
   EXPECT_GT(shown, rooms_count() / 12);
+}
+
+// Where no body fits between the two, whoever is in the zone has little of its clearance.
+TEST(Entry, FromWhereTheZoneIsNarrowerThanTheFence) {
+  std::mt19937 random(31);
+  int shown = 0;
+  for (int i = 0; i < rooms_count() / 6; ++i) {
+    const Region room = random_room(random);
+    const long off = 10 + static_cast<long>(random() % 190);
+    const long x = 500 + static_cast<long>(random() % 3000);
+    // along all walls, or along a gap
+    const Region part =
+        random() % 2 == 0 ? inset(room, off) : room.subtract(box(x, -100'000, x + off, 100'000));
+    if (part.empty() || !snap_inside(part)) continue;
+    Ways ways(part, room);
+    for (const bool retreats : {true, false}) {
+      if (ways.shown(retreats ? cart : courier).how != Entry::How::within) continue;
+      ++shown;
+      EXPECT_EQ(ways.astray(retreats, 150), 0) << "room " << i;
+    }
+  }
+  EXPECT_GT(shown, rooms_count() / 40);
+}
+// Beside the wall of an arm that the zone leaves a hand's breadth of out: a leg round the corner of
+// the room keeps no more than what is left of the clearance.
+TEST(Entry, RoundACornerWithLittleToSpare) {
+  const Region room = box(0, 1300, 4000, 4000);
+  Ways ways(room.unite(box(3500, 1000, 7000, 1700)), room.unite(box(3500, 830, 7000, 1700)));
+  EXPECT_EQ(ways.shown(cart).how, Entry::How::beyond);
+  EXPECT_GT(ways.astray(true), 10);
 }
 
 // A retreat behind a wall with a door in it: straight is through the wall.

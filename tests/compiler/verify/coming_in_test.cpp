@@ -219,6 +219,42 @@ TEST_F(ComingIn, WhatOnlyTheZoneLeavesOutIsNoBerth) {
   EXPECT_NE(p2a_of(report_of(off_a_pond("room - grow(walls, 41 cm) - shelf")))["status"], "proved");
 }
 
+// An arm of a hall, of which its zone leaves so much out along one wall. Where no body fits beside
+// the zone, one may be in it with little clearance, and led round the corner of the hall with no
+// more.
+TEST_F(ComingIn, WhoHasLittleClearanceInItsZoneMayLoseThatOfTheFence) {
+  const auto beside = [](const std::string& wall) {
+    return R"(spec arm;
+zone hall = rectangle (0 m, 1.3 m) to (4 m, 4 m) | rectangle (3.5 m, )" +
+           wall + R"() to (7 m, 1.5 m);
+zone core = rectangle (0 m, 1.3 m) to (4 m, 4 m) | rectangle (3.5 m, 1 m) to (7 m, 1.5 m);
+robot Rover {
+  body     radius 10 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 5 mm    max_age 20 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 20 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Rover;
+controller pilot : advanced for Rover extern;
+controller back  : safe for Rover = retreat within core speed 0.2 m/s;
+monitor m for r : Rover { "SR-1" always r inside hall; ahead 200 ms; recover back; }
+decision go for Rover { advanced pilot; period 20 ms; priority m; }
+)";
+  };
+  const Json same = report_of(beside("1 m")), report = report_of(beside("0.92 m"));
+  EXPECT_EQ(p2a_of(same)["status"], "proved") << p2a_of(same);
+  EXPECT_EQ(p2a_of(report)["status"], "unknown") << p2a_of(report);
+  Json forged = report;
+  for (Json& o : forged["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(same);
+  }
+  const Outcome denied = rechecked(forged);
+  EXPECT_EQ(denied.status, exit_violation);
+  EXPECT_NE(denied.out.find("lead across what is not convex"), std::string::npos) << denied.out;
+}
+
 TEST_F(ComingIn, WhoKeepsItsHeightKeepsAZoneThatHasSome) {
   const Json report =
       report_of(at_a_height("= retreat within flat speed 0.3 m/s", "r inside hall"));
