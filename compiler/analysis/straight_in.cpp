@@ -122,7 +122,10 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
         ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone].cells))};
   }
   // what has no end is not looked at cell by cell, but where what holds meanwhile keeps bodies
-  if (!has_end(at.module[fence])) query.starts = where_held<Region>(at, held_at(at), centres);
+  if (!has_end(at.module[fence])) {
+    query.starts = where_held<Region>(at, held_at(at), centres);
+    query.seen_off_mm = in_mm(body.position_error_mm);
+  }
   const auto table_of = [&](ir::ZoneIndex zone) {
     return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};
   };

@@ -20,6 +20,8 @@ constexpr int whole_levels = 3;
 // What may be lost of the clearance in the fence: less than the 10 mm by which a hold strays, and
 // more than a way may lose of that in the zone, for the grids.
 constexpr double forgiven_mm = 8, beyond_loss_mm = 1.8, rounding_mm = 0.1;
+// What the search loses where its ways over cells begin (connector_loss_m).
+constexpr double over_cells_loss_mm = 8;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
 // And so all of those in so many rings, from wherever in a cell of the fence it begins.
@@ -64,7 +66,7 @@ struct Line {
 // Where bodies may be, as far as offsets and the grid tell.
 class Starts {
  public:
-  explicit Starts(const Region& region) {
+  Starts(const Region& region, std::int32_t seen_off_mm) : off_(rounding + seen_off_mm) {
     for (const Ring& ring : region.rings()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -87,10 +89,10 @@ class Starts {
     if (farthest > far_mm) return std::nullopt;
     const double wide = box.right - box.left, high = box.top - box.low;
     while (wide * high > most * grid.cell_mm * grid.cell_mm) grid.cell_mm *= 2;
-    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * rounding,
-                   static_cast<std::int32_t>(box.low) - 2 * rounding};
-    grid.columns = static_cast<std::int32_t>((wide + 4 * rounding) / grid.cell_mm) + 1;
-    grid.rows = static_cast<std::int32_t>((high + 4 * rounding) / grid.cell_mm) + 1;
+    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * off_,
+                   static_cast<std::int32_t>(box.low) - 2 * off_};
+    grid.columns = static_cast<std::int32_t>((wide + 4 * off_) / grid.cell_mm) + 1;
+    grid.rows = static_cast<std::int32_t>((high + 4 * off_) / grid.cell_mm) + 1;
     grid.clearance_mm_lo.assign(
         static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
     return grid;
@@ -101,7 +103,7 @@ class Starts {
     for (const Line& e : lines_) {
       const Vec d = e.b - e.a, off = p - e.a;
       const double t = std::clamp((off.x * d.x + off.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + rounding) return true;
+      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + off_) return true;
       if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
       if (p.x < e.a.x + (p.y - e.a.y) / d.y * d.x) inside = !inside;
     }
@@ -109,7 +111,9 @@ class Starts {
   }
 
  private:
-  static constexpr std::int32_t rounding = 3;  // mm
+  // in mm: twice that of offsets, and of the grid, so that who rounds other things finds the same
+  static constexpr std::int32_t rounding = 9;
+  const std::int32_t off_;  // mm
   std::vector<Line> lines_;
 };
 
@@ -119,7 +123,8 @@ class Entering {
       : zone_(zone),
         fence_(fence.cells),
         query_(query),
-        starts_(query.starts ? std::optional<Starts>(*query.starts) : std::nullopt),
+        starts_(query.starts ? std::optional<Starts>(Starts(*query.starts, query.seen_off_mm))
+                             : std::nullopt),
         forgiven_(std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)),
         connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_),
         sight_(zone.edges, query.least_mm, 0, query.loss_mm - rounding_mm) {
@@ -310,7 +315,10 @@ class Entering {
   // (analysis: keeps_off.h); who is nearer is led straight, and that clearance is all it keeps.
   [[nodiscard]] bool keeps_what_it_has(const Connectors::Spot& spot, double nearest) const {
     if (!starts_ && nearest >= query_.least_mm) return true;
-    const double kept = std::min<double>(nearest, query_.least_mm) - query_.loss_mm;
+    double kept = std::min<double>(nearest, query_.least_mm) - query_.loss_mm;
+    // where a body fits it may go over cells as well, whatever a leg straight to a place loses
+    const bool fits = nearest + 2 * spot.radius_mm() >= query_.least_mm;
+    if (fits) kept = std::min<double>(kept, query_.least_mm - over_cells_loss_mm);
     return depth_ + kept + forgiven_ >= asked_from(spot);
   }
   [[nodiscard]] double asked_from(const Connectors::Spot& spot) const {

@@ -209,7 +209,9 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
       if (!has_end(slab.region)) return false;
       limits.starts.push_back(slab.region);
     }
-    limits.starts_off = offsets_round.get_d();
+    // ways begin where a robot is seen
+    const Rational seen_off = kind.position ? kind.position->error.value : Rational(0);
+    limits.starts_off = Rational(offsets_round + seen_off).get_d();
   }
   const auto found = enters_beyond(*inner, {*cell, *x, *y}, *outer, limits);
   const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);

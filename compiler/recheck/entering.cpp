@@ -72,7 +72,7 @@ class Entries {
   }
 
  private:
-  static constexpr double square_m = 0.1;
+  static constexpr double square_m = 0.1, over_cells_loss_m = 0.008;
   static constexpr int quarters_max = 9, ways_followed_after = 3, parts = 16;
   static constexpr std::int64_t steps_max = 12'000'000'000;
   // The search tries so many cells, ring by ring; with two rings more for the place that it begins
@@ -122,7 +122,10 @@ class Entries {
   // enough for a fence with an end: what it asks for beyond that is another claim.
   bool keeps_what_it_has(const Boundary& boundary, const Box& from, double inside) const {
     if (starts_.empty() && inside >= limits_.least) return true;
-    const double kept = std::min(inside, limits_.least) - limits_.loss;
+    double kept = std::min(inside, limits_.least) - limits_.loss;
+    // where a body fits it may go over cells
+    const bool fits = inside + 2 * radius(from) >= limits_.least;
+    if (fits) kept = std::min(kept, limits_.least - over_cells_loss_m);
     return depth_ + kept >= boundary.asked_from(from, limits_.clearance, forgiven());
   }
 
