@@ -11,21 +11,19 @@
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_met.h"
-#include "compiler/analysis/spread.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/well_formed.h"
 #include "compiler/analysis/windows.h"
+#include "compiler/analysis/zone_tables.h"
 #include "compiler/analysis/zones.h"
-#include "compiler/geometry/spread.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/signals.h"
 #include "compiler/ir/source_text.h"
 #include "compiler/ir/watch_builder.h"
-#include "compiler/sema/received.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/overloaded.h"
@@ -70,19 +68,16 @@ class Deriver {
           std::make_shared<const EvaluatedZones>(evaluate_zones(spec_, wanted, diagnostics_));
     }
     if (diagnostics_.has_errors()) return std::nullopt;
-    out_.tables.gaps = evaluated_->gaps;
-    number_zones(wanted);
-    std::vector<ir::Region> regions = number_regions(wanted);
-    std::vector<ir::Solid> solids = number_solids(wanted, regions);
-    keep_trees(wanted, regions);
+    PointTables points =
+        number_zones(spec_, sources_, wanted, *evaluated_, out_.module, out_.tables);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
       out_.module.decisions.push_back(this->decision(decision));
     }
     const ir::Signals signals = ir::build_signals(spec_, diagnostics_);
     ir::build_blocks(spec_, out_.tables, signals, sources_, out_.module, diagnostics_);
-    out_.module.watch = ir::build_watch(spec_, signals, sources_, std::move(regions),
-                                        std::move(solids), out_.tables, diagnostics_);
+    out_.module.watch = ir::build_watch(spec_, signals, sources_, std::move(points.regions),
+                                        std::move(points.solids), out_.tables, diagnostics_);
     for (ir::Decision& d : out_.module.decisions) fill_clearances(d);
     count_commands();
     fill_costs();
@@ -158,188 +153,6 @@ class Deriver {
              diag::info(d.code).severity != diag::Severity::error;
     });
   }
-  // A zone written inside a property is named by its line; names of tables differ.
-  std::string table_name(const sema::Zone& zone,
-                         const std::vector<ir::Region>& regions = {}) const {
-    if (!zone.name.empty()) return zone.name;
-    const auto* complement = std::get_if<sema::ZoneComplement>(&zone.value->node);
-    const std::string of = complement != nullptr ? spec_[complement->zone].name : "";
-    if (!of.empty()) return unlike_others("outside_of_" + of, regions);
-    const LineColumn at = sources_.position(zone.value->range.file, zone.value->range.begin);
-    return unlike_others("zone_of_line_" + std::to_string(at.line), regions);
-  }
-  std::string unlike_others(const std::string& base, const std::vector<ir::Region>& regions) const {
-    std::string name = base;
-    const auto taken = [&](const auto& other) { return other.name == name; };
-    for (int n = 2; std::any_of(spec_.zones.begin(), spec_.zones.end(), taken) ||
-                    std::any_of(out_.module.zones.begin(), out_.module.zones.end(), taken) ||
-                    std::any_of(regions.begin(), regions.end(), taken);
-         ++n) {
-      name = base + "_" + std::to_string(n);
-    }
-    return name;
-  }
-
-  void number_zones(const std::vector<ZoneUse>& wanted) {
-    out_.tables.zones.resize(spec_.zones.size());
-    for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (!evaluated_->zones[i] || !wanted[i].robots) continue;
-      if (evaluated_->zones[i]->solid) {
-        out_.tables.zones[i] = stack(table_name(spec_.zones[i]), *evaluated_->zones[i]->solid);
-        continue;
-      }
-      out_.tables.zones[i] = ir::ZoneIndex(out_.module.zones.size());
-      out_.module.zones.push_back(table(table_name(spec_.zones[i]), *evaluated_->zones[i]));
-    }
-  }
-  static std::vector<ir::Edge> edges(const std::vector<geometry::EdgeRow>& rows) {
-    std::vector<ir::Edge> to;
-    for (const auto& e : rows) {
-      to.push_back({e.a.x_mm, e.a.y_mm, e.b.x_mm, e.b.y_mm, e.ux_q30, e.uy_q30});
-    }
-    return to;
-  }
-  static ir::EdgeTree tree(const geometry::CellTree& from) {
-    return {.x_mm = from.x_mm,
-            .y_mm = from.y_mm,
-            .shift = from.shift,
-            .column = from.column,
-            .row = from.row,
-            .columns = from.columns,
-            .rows = from.rows,
-            .depth = from.depth,
-            .leaves = from.leaves,
-            .edges_most = from.edges_most,
-            .exact_mm = from.exact_mm,
-            .exact_inside_mm = from.exact_inside_mm,
-            .words = from.words,
-            .lists = from.lists};
-  }
-  // A zone on the grid is one region, another one two: what is in it, and what contains it.
-  std::vector<ir::Region> number_regions(const std::vector<ZoneUse>& wanted) {
-    std::vector<ir::Region> regions;
-    out_.tables.regions.resize(spec_.zones.size());
-    for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (wanted[i].points && is_received(spec_.zones[i])) {
-        out_.tables.regions[i] = {ir::RegionIndex(regions.size()), ir::RegionIndex(regions.size())};
-        regions.push_back({spec_.zones[i].name, false, {}, {}, 0});  // the channel is found later
-      }
-      if (!evaluated_->zones[i] || !wanted[i].points || evaluated_->zones[i]->solid) continue;
-      const auto& zone = out_.tables.zones[i];
-      const std::string name = zone ? out_.module[*zone].name : table_name(spec_.zones[i], regions);
-      regions.push_back({name, false, edges(evaluated_->zones[i]->baked.edges),
-                         tree(evaluated_->zones[i]->tree)});
-      const ir::RegionIndex within{static_cast<std::uint32_t>(regions.size() - 1)};
-      ir::RegionIndex around = within;
-      const auto same = [](const geometry::EdgeRow& a, const geometry::EdgeRow& b) {
-        return a.a == b.a && a.b == b.b;
-      };
-      if (!std::ranges::equal(evaluated_->zones[i]->baked.edges, evaluated_->zones[i]->around,
-                              same)) {
-        around = ir::RegionIndex(regions.size());
-        regions.push_back({name, true, edges(evaluated_->zones[i]->around),
-                           tree(evaluated_->zones[i]->around_tree)});
-        regions.back().spread_mm =
-            geometry::spread_mm(evaluated_->zones[i]->baked.edges, evaluated_->zones[i]->around);
-      }
-      out_.tables.regions[i] = {within, around};
-    }
-    return regions;
-  }
-  static bool is_received(const sema::Zone& zone) {
-    return std::holds_alternative<sema::ZoneReceived>(zone.value->node);
-  }
-  // A kernel has one kind of zone: with trees when one of them needs it.
-  void keep_trees(const std::vector<ZoneUse>& wanted, std::vector<ir::Region>& regions) {
-    for (std::uint32_t i = 0; i < wanted.size(); ++i) {
-      if (wanted[i].robots && sema::received_by(spec_, sema::ZoneId(i))) return;
-    }
-    const auto many = [](const auto& z) { return z.edges.size() > ir::edges_without_tree; };
-    if (std::ranges::any_of(regions, [](const ir::Region& r) { return r.channel.has_value(); })) {
-      return;
-    }
-    if (std::ranges::any_of(out_.module.zones, many) || std::ranges::any_of(regions, many)) return;
-    for (ir::ZoneTable& z : out_.module.zones) z.tree = {};
-    for (ir::Region& r : regions) r.tree = {};
-  }
-  // A zone with height: a region for each of its slabs.
-  std::vector<ir::Solid> number_solids(const std::vector<ZoneUse>& wanted,
-                                       std::vector<ir::Region>& regions) {
-    std::vector<ir::Solid> solids;
-    out_.tables.solids.resize(spec_.zones.size());
-    for (std::uint32_t i = 0; i < spec_.zones.size(); ++i) {
-      if (!evaluated_->zones[i] || !evaluated_->zones[i]->solid || !wanted[i].points) continue;
-      const EvaluatedSolid& zone = *evaluated_->zones[i]->solid;
-      const std::string name = table_name(spec_.zones[i], regions);
-      solids.push_back(solid(name, false, zone.within, regions));
-      const ir::SolidIndex within{static_cast<std::uint32_t>(solids.size() - 1)};
-      ir::SolidIndex around = within;
-      if (!std::ranges::equal(zone.within, zone.around, same_slab)) {
-        around = ir::SolidIndex(solids.size());
-        solids.push_back(solid(name, true, zone.around, regions));
-        solids.back().spread_mm = spread_mm(zone.within, zone.around);
-      }
-      out_.tables.solids[i] = {within, around};
-    }
-    return solids;
-  }
-  static bool same_slab(const BakedSlab& a, const BakedSlab& b) {
-    return a.floor_mm == b.floor_mm && a.ceiling_mm == b.ceiling_mm &&
-           std::ranges::equal(a.edges, b.edges,
-                              [](const geometry::EdgeRow& e, const geometry::EdgeRow& f) {
-                                return e.a == f.a && e.b == f.b;
-                              });
-  }
-  static ir::Solid solid(const std::string& name, bool around, const std::vector<BakedSlab>& slabs,
-                         std::vector<ir::Region>& regions) {
-    ir::Solid to{name, around, {}};
-    for (const BakedSlab& slab : slabs) {
-      to.slabs.push_back({slab.floor_mm, slab.ceiling_mm, ir::RegionIndex(regions.size())});
-      regions.push_back({name, around, edges(slab.edges), tree(slab.tree), std::nullopt,
-                         static_cast<std::uint32_t>(to.slabs.size())});
-    }
-    return to;
-  }
-  static ir::ZoneTable table(std::string name, const EvaluatedZone& zone) {
-    return table(std::move(name), zone.snapped, zone.baked, zone.tree);
-  }
-  static ir::ZoneTable table(std::string name, const geometry::SnappedZone& snapped,
-                             const geometry::BakedZone& baked, const geometry::CellTree& tree) {
-    ir::ZoneTable t;
-    t.name = std::move(name);
-    t.edges = edges(baked.edges);
-    t.tree = Deriver::tree(tree);
-    std::uint32_t start = 0;
-    for (const auto& ring : snapped.rings) {
-      t.ring_starts.push_back(start);
-      start += static_cast<std::uint32_t>(ring.size());
-    }
-    const auto& cells = baked.cells;
-    t.cells = {cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
-               cells.columns,     cells.rows,        cells.clearance_mm_lo};
-    t.widest_mm = baked.widest_mm;
-    t.widest_x_mm = baked.widest_at.x_mm;
-    t.widest_y_mm = baked.widest_at.y_mm;
-    return t;
-  }
-  // A zone with height: a table for each of its slabs, and one of the slabs.
-  ir::ZoneIndex stack(const std::string& name, const EvaluatedSolid& solid) {
-    ir::ZoneTable t;
-    t.name = name;
-    for (std::size_t k = 0; k < solid.within.size(); ++k) {
-      const BakedSlab& slab = solid.within[k];
-      t.slabs.push_back({slab.floor_mm, slab.ceiling_mm, ir::ZoneIndex(out_.module.zones.size())});
-      out_.module.zones.push_back(table(unlike_others(name + "_slab_" + std::to_string(k + 1), {}),
-                                        slab.snapped, slab.baked, slab.tree));
-    }
-    t.widest_mm = solid.widest.mm;
-    t.widest_x_mm = solid.widest.at.x_mm;
-    t.widest_y_mm = solid.widest.at.y_mm;
-    t.widest_z_mm = solid.widest.z_mm;
-    out_.module.zones.push_back(std::move(t));
-    return ir::ZoneIndex(out_.module.zones.size() - 1);
-  }
-
   // A site table lives on the zone of the route that leads to it; there is one for a kind of
   // robots.
   void number_sites() {
@@ -407,7 +220,7 @@ class Deriver {
     d.coordinated = from.coordinated && !from.on_plan;
     d.period_us = from.period ? ceil_to_int(from.period->value * 1'000'000) : 0;
     d.return_extra_us = return_extra_us(spec_, from, d.period_us);
-    d.dwell_ticks = from.on_plan ? 0 : (dwell_us + d.period_us - 1) / d.period_us;
+    d.dwell_ticks = d.period_us == 0 ? 0 : (dwell_us + d.period_us - 1) / d.period_us;
     d.lease_us = lease_us;
     d.robots = fleet_size(from.kind);
     d.open_fleet = kind.open_fleet;

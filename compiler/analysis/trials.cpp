@@ -9,14 +9,15 @@ namespace {
 // Of one specification: a report is no search that lasts.
 constexpr int runs_most = 200;
 // From the guess to the last number, each so many times nearer to that.
-constexpr std::int64_t farther = 4;
+constexpr std::int64_t times_farther = 4;
 constexpr std::size_t probes_most = 6;
 
 std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
   std::vector<std::int64_t> all{guess};
   while (all.back() != far && all.size() < probes_most) {
     const std::int64_t last = all.back();
-    all.push_back(far < last ? std::max(far, last / farther) : std::min(far, last * farther));
+    all.push_back(far < last ? std::max(far, last / times_farther)
+                             : std::min(far, last * times_farther));
   }
   return all;
 }
