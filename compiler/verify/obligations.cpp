@@ -238,7 +238,27 @@ bool is_jitter(const sema::Decision& decision, const diag::Diagnostic& d) {
          decision.jitter->range.begin == d.range->begin;
 }
 
-// By the place of the report: the monitor or the decision around it.
+// The first decision of the robots that a controller drives, if the report stands where that is
+// declared.
+std::optional<std::size_t> decision_driven(const sema::Spec& spec, const diag::Diagnostic& d) {
+  const auto declared = std::ranges::find_if(
+      spec.controllers, [&](const sema::Controller& c) { return d.range == c.name_range; });
+  if (declared == spec.controllers.end()) return std::nullopt;
+  const auto of = std::ranges::find(spec.decisions, declared->kind, &sema::Decision::kind);
+  if (of == spec.decisions.end()) return std::nullopt;
+  return static_cast<std::size_t>(of - spec.decisions.begin());
+}
+// Of a whole decision there is one obligation, and what is wrong with several recoveries is told of
+// each.
+bool is_told_besides(const Obligation& told, const Obligation& of) {
+  return of.monitor.empty() && told.status == Status::refuted && told.method == of.method;
+}
+void tell_besides(Obligation& told, const Obligation& of) {
+  told.because += "; " + of.because;
+  if (told.repair != of.repair) told.repair += "; and " + of.repair;
+}
+
+// By the place of the report: the monitor, or the decision around it, or of a recovery.
 void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, Report& report) {
   Obligation o;
   o.kind = kind;
@@ -263,6 +283,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
     const bool late = around < spec.decisions.size() && is_jitter(spec.decisions[around], d);
     if (late) o.kind = Kind::p1a;
     if (late || kind == Kind::p1b) at = around;
+    at = decision_driven(spec, d).value_or(at);
   }
   if (at >= report.decisions.size()) return;
   // of a look-ahead that leaves no place to return to
@@ -278,7 +299,9 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
     return other.kind == o.kind && other.monitor == o.monitor;
   });
   if (d.code == Code::recovery_elsewhere) doubt_return(spec, o, all);
-  if (same != all.end()) {
+  if (same != all.end() && is_told_besides(*same, o)) {
+    tell_besides(*same, o);
+  } else if (same != all.end()) {
     if (!o.place_mm) o.place_mm = same->place_mm;  // a robot is stuck there all the same
     *same = std::move(o);
   } else {

@@ -205,5 +205,34 @@ TEST_F(Verify, WhatCannotBeDerivedIsRefutedInTheTable) {
   EXPECT_EQ(verified(both).status, exit_spec_errors);
 }
 
+// Of each recovery that is too slow, in the table of the decision that it belongs to.
+TEST_F(Verify, EachRecoveryThatIsTooSlowIsTold) {
+  const std::string slow = edited(drone_spec(), "speed 0.3 m/s", "speed 0.01 m/s");
+  const std::string two =
+      edited(slow, "monitor walls",
+             "controller creep : safe for Drone = retreat within room speed 0.02 m/s;\n"
+             "monitor more for d : Drone { \"SR-9: in\" always d inside room; recover creep; }\n"
+             "monitor walls");
+  const Outcome o =
+      verified(edited(two, "priority walls", "priority more > walls"), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  const Json of_two = Json::parse(o.out);
+  std::string because;
+  for (const Json& each : of_two["decisions"][0]["obligations"]) {
+    if (each["obligation"] == "satisfiable") because = each.value("because", "");
+  }
+  EXPECT_NE(because.find("`back_off` is too slow"), std::string::npos) << o.out;
+  EXPECT_NE(because.find("`creep` is too slow"), std::string::npos) << o.out;
+
+  const std::string golden =
+      std::string(RTAC_SOURCE_DIR) + "/tests/golden/bad_5005_too_slow/spec.rta";
+  const Json report = Json::parse(rtac({"verify", golden, "--format", "json"}).out);
+  const std::pair<std::size_t, const char*> told[] = {{0, "`crawl` is too slow"},
+                                                      {1, "`sway` is too slow"}};
+  for (const auto& [n, text] : told) {
+    EXPECT_NE(report["decisions"][n].dump().find(text), std::string::npos) << report;
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
