@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/sema/visit.h"
 
@@ -118,19 +119,12 @@ class Checker {
   std::optional<Rational> nearest(sema::Quantity& number, const std::string& name,
                                   const Rational& guess, const Fault& fault) {
     constexpr int per_unit = 1000;
-    const Rational written = number.value;
-    const bool grows = guess > written;
+    const bool grows = guess > number.value;
     const std::int64_t steps = floor_to_int(Rational(guess * per_unit)) + (grows ? 1 : 0);
     if (steps < 1) return std::nullopt;
-    const Dial dial{name, floor_to_int(Rational(written * per_unit)) + (grows ? 0 : 1),
-                    grows ? floor_to_int(Rational(accel_max_mps2 * per_unit)) : 1,
-                    [&](std::int64_t n) {
-                      number.value = Rational(static_cast<long>(n), per_unit);
-                      number.value.canonicalize();
-                      return true;
-                    },
-                    [&] { number.value = written; }};
-    const auto found = trials_->nearest(dial, steps, fault);
+    const std::int64_t far = grows ? floor_to_int(Rational(accel_max_mps2 * per_unit)) : 1;
+    const auto found =
+        quantity_that_works(*trials_, {fault, per_unit, 0, steps, far}, name, number);
     if (!found) return std::nullopt;
     Rational value(static_cast<long>(*found), per_unit);
     value.canonicalize();

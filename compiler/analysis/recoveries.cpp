@@ -55,10 +55,11 @@ class Recoveries {
   void look_at_places() {
     std::vector<diag::Diagnostic> all;
     if (decision_.body.in_space) {
-      auto found = misplaced_in_space(written_, module_, decision_, monitor_, exact_, solid_);
+      auto found =
+          misplaced_in_space(written_, module_, decision_, monitor_, exact_, solid_, trials_);
       if (found) all.push_back(std::move(*found));
     } else {
-      all = misplaced(written_, controller_, module_, exact_, decision_, monitor_);
+      all = misplaced(written_, controller_, module_, exact_, decision_, monitor_, trials_);
     }
     misplaced_ = !all.empty();
     for (diag::Diagnostic& found : all) diagnostics_.report(std::move(found));

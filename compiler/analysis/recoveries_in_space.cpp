@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/recovery_places.h"
@@ -37,13 +38,15 @@ std::string some_corner(const geometry::Region& region) {
 class InSpace {
  public:
   InSpace(const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
-          const ir::Monitor& monitor, const ExactZone& flat, const ExactSolid& exact)
+          const ir::Monitor& monitor, const ExactZone& flat, const ExactSolid& exact,
+          Trials* trials)
       : written_(written),
         module_(module),
         decision_(decision),
         monitor_(monitor),
         flat_(flat),
-        exact_(exact) {
+        exact_(exact),
+        trials_(trials) {
     collect_heights();
   }
 
@@ -282,8 +285,18 @@ class InSpace {
                                            ", where `" + monitor_.name + "` may be false");
     d.label = "leads out of it";
     d.notes.push_back({std::nullopt, std::move(note)});
-    d.help = "`land to " + metres(works_mm) + "` works, where the zone is as high";
+    const auto to_mm = height_that_works(step, d, works_mm);
+    d.help = to_mm
+                 ? "`land to " + metres(*to_mm) + "` works"
+                 : "no height alone works: a `retreat` within the zone is needed, or another zone";
     return d;
+  }
+  [[nodiscard]] std::optional<std::int64_t> height_that_works(const ir::Recovery& step,
+                                                              const diag::Diagnostic& found,
+                                                              std::int64_t guess_mm) const {
+    if (trials_ == nullptr) return std::nullopt;
+    const Fault fault = fault_of(found.code, found.range);
+    return landing_that_works(*trials_, {fault, 1000, step.land_mm, guess_mm, guess_mm}, step.name);
   }
   Found obstructed(const ir::Recovery& step, const std::string& zone, const Rational& height,
                    const geometry::Region& beyond) const {
@@ -296,8 +309,10 @@ class InSpace {
                        "such as at " +
                            some_corner(beyond)});
     const std::int64_t works_mm = ceil_to_int(Rational(height * 1000)) + step.route_clearance_mm;
-    d.help = "`land to " + metres(works_mm) +
-             "` works, or a zone that gets no narrower downwards, or a `retreat`";
+    const auto to_mm = height_that_works(step, d, works_mm);
+    d.help = (to_mm ? "`land to " + metres(*to_mm) + "` works, or " : std::string()) +
+             "a zone that gets no narrower downwards" +
+             (to_mm ? ", or a `retreat`" : " works, or a `retreat`");
     return d;
   }
 
@@ -311,6 +326,7 @@ class InSpace {
   const ir::Monitor& monitor_;
   const ExactZone& flat_;
   const ExactSolid& exact_;
+  Trials* trials_;
   std::optional<std::int64_t> most_mm_, least_mm_;
 };
 
@@ -324,8 +340,8 @@ geometry::Solid without_end(const geometry::Region& region) {
 
 Found misplaced_in_space(const sema::Monitor& written, const ir::Module& module,
                          const ir::Decision& decision, const ir::Monitor& monitor,
-                         const ExactZone& flat, const ExactSolid& exact) {
-  return InSpace(written, module, decision, monitor, flat, exact).run();
+                         const ExactZone& flat, const ExactSolid& exact, Trials* trials) {
+  return InSpace(written, module, decision, monitor, flat, exact, trials).run();
 }
 
 }  // namespace rtac::analysis

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
@@ -20,10 +21,8 @@ using ExactSolid = std::function<geometry::Solid(ir::ZoneIndex)>;
 geometry::Solid without_end(const geometry::Region& region);
 
 // What is wrong with the recovery of the monitor, if anything; `written`: that monitor.
-std::optional<diag::Diagnostic> misplaced_in_space(const sema::Monitor& written,
-                                                   const ir::Module& module,
-                                                   const ir::Decision& decision,
-                                                   const ir::Monitor& monitor,
-                                                   const ExactZone& flat, const ExactSolid& exact);
+std::optional<diag::Diagnostic> misplaced_in_space(
+    const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
+    const ir::Monitor& monitor, const ExactZone& flat, const ExactSolid& exact, Trials* trials);
 
 }  // namespace rtac::analysis

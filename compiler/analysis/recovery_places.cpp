@@ -10,6 +10,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/ways_in.h"
+#include "compiler/analysis/zone_trials.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -46,14 +47,16 @@ struct Kept {
 class Places {
  public:
   Places(const sema::Monitor& written, const sema::Controller& controller, const ir::Module& module,
-         const ExactZone& exact, const ir::Decision& decision, const ir::Monitor& monitor)
+         const ExactZone& exact, const ir::Decision& decision, const ir::Monitor& monitor,
+         Trials* trials)
       : written_(written),
         controller_(controller),
         module_(module),
         exact_(exact),
         decision_(decision),
         monitor_(monitor),
-        radius_mm_(decision.body.radius_mm) {}
+        radius_mm_(decision.body.radius_mm),
+        trials_(trials) {}
 
   std::vector<diag::Diagnostic> run() {
     for (const ir::ZoneIndex fence : fences_of(monitor_.property, decision_.facts.params)) {
@@ -175,18 +178,28 @@ class Places {
     d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + names +
                                          some_place(beyond, all)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help =
-        kept_.size() == 1 && kept.zones.size() == 1
-            ? "a zone that lies in " + names + " works, such as " + example(step, kept.zones[0])
-            : works(step);
+    d.help = kept_.size() == 1 && kept.zones.size() == 1
+                 ? "a zone that lies in " + names + " works" + example(step, kept.zones[0])
+                 : works(step, d.code);
     found_.push_back(std::move(d));
     return true;
   }
-  // Where the property keeps it out of a zone, what is left of its own.
+  // Where the property keeps it out of a zone, what is left of its own; "": that has not worked.
   std::string example(const ir::Recovery& step, ir::ZoneIndex zone) const {
     const bool out = module_[zone].name.starts_with("outside_of_") || step.claims;
-    const std::string left = out ? deep_text(module_, step.zone, {zone, kept_mm(step, zone)}) : "";
-    return left.empty() ? name_of(zone) : "`" + left + "`";
+    const std::int64_t off_mm = out ? kept_mm(step, zone) : 0;
+    const std::string left = out ? deep_text(module_, step.zone, {zone, off_mm}) : "";
+    std::vector<ZonePart> parts{{{zone}, off_mm}};
+    if (!left.empty() && zone != step.zone) parts.push_back({{step.zone}});
+    if (!tried(diag::Code::recovery_elsewhere, step, parts).value_or(true)) return "";
+    return ", such as " + (left.empty() ? name_of(zone) : "`" + left + "`");
+  }
+  // On the whole specification.
+  std::optional<bool> tried(diag::Code code, const ir::Recovery& step,
+                            const std::vector<ZonePart>& parts) const {
+    if (trials_ == nullptr) return std::nullopt;  // nobody reads it
+    return works_within(*trials_, fault_of(code, written_.recover_range), written_.range, step.name,
+                        module_, step.zone, parts);
   }
   // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
   bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
@@ -210,8 +223,14 @@ class Places {
                                                "out, and no more"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const std::string deep = deep_text(module_, step.zone, fence);
-    d.help = "a zone all of whose places are that far off works" +
-             (deep.empty() ? "" : ", such as `" + deep + "`");
+    std::vector<ZonePart> parts{{{zone}, fence.mm}};
+    if (zone != step.zone) parts.push_back({{step.zone}});
+    const bool works = !deep.empty() && tried(d.code, step, parts).value_or(true);
+    d.help = deep.empty() || works
+                 ? "a zone all of whose places are that far off works" +
+                       (works ? ", such as `" + deep + "`" : "")
+                 : "a zone all of whose places are that far off is needed, and not alone: in `" +
+                       deep + "` other errors are left";
     found_.push_back(std::move(d));
     return true;
   }
@@ -269,7 +288,7 @@ class Places {
         {std::nullopt, inside ? "on a seam of two zones a body is in neither"
                               : "outside of " + zone + knows + ", and makes straight for it"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = works(step);
+    d.help = works(step, d.code);
     found_.push_back(std::move(d));
   }
   void strands(const ir::Recovery& step, const Kept& kept, const PlaceMm& place) {
@@ -282,7 +301,7 @@ class Places {
                                          metres(step.return_clearance_mm) +
                                          ", and nothing leads there in sight"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = works(step);
+    d.help = works(step, d.code);
     found_.push_back(std::move(d));
   }
   // Where the robot may be while its own property holds, and those of monitors that keep it there.
@@ -309,7 +328,7 @@ class Places {
 
   // A recovery within all that the property keeps the robot in, if that would do: it has a place
   // to return to, and between the zones of a choice a body is always in one of them.
-  std::string works(const ir::Recovery& step) const {
+  std::string works(const ir::Recovery& step, diag::Code code) const {
     Region all = Region::everywhere();
     for (const Kept& each : kept_) all = all.intersect(deep(each));
     if (all.empty()) {
@@ -340,12 +359,15 @@ class Places {
              " works, with a recovery within their union";
     }
     if (returns && returns->empty()) {
-      return "a recovery within " + written() +
-             " works that is so wide somewhere that a place has a "
-             "clearance of " +
-             metres(back_mm);
+      return "no recovery works: no place of " + written() + " has a clearance of " +
+             metres(back_mm) + ", less has to be asked for";
     }
-    return "a recovery within " + written() + " works: it finds its ways inside";
+    std::vector<ZonePart> parts;
+    for (const Kept& each : kept_) parts.push_back({each.zones, off_mm(each)});
+    return tried(code, step, parts).value_or(true)
+               ? "a recovery within " + written() + " works: it finds its ways inside"
+               : "a recovery within " + written() +
+                     " is needed, and not alone: other errors are left";
   }
   // What is asked of a zone beyond touching its boundary, where the property names no other one in
   // its place: its ways know nothing of that, so that the zone has to.
@@ -410,6 +432,7 @@ class Places {
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const std::int64_t radius_mm_;
+  Trials* trials_;
   std::vector<Kept> kept_;
   std::vector<Kept> told_;  // of which inputs say when each of them counts
   std::optional<Region> starts_;
@@ -464,8 +487,9 @@ std::optional<Region> within(const Region& region, std::int64_t mm) {
 std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
                                         const sema::Controller& controller,
                                         const ir::Module& module, const ExactZone& exact,
-                                        const ir::Decision& decision, const ir::Monitor& monitor) {
-  return Places(written, controller, module, exact, decision, monitor).run();
+                                        const ir::Decision& decision, const ir::Monitor& monitor,
+                                        Trials* trials) {
+  return Places(written, controller, module, exact, decision, monitor, trials).run();
 }
 
 }  // namespace rtac::analysis

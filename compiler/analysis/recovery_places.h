@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/geometry/region.h"
 #include "compiler/ir/module.h"
@@ -33,7 +34,8 @@ diag::Diagnostic about_recovery(const sema::Monitor& written, diag::Code code, s
 std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
                                         const sema::Controller& controller,
                                         const ir::Module& module, const ExactZone& exact,
-                                        const ir::Decision& decision, const ir::Monitor& monitor);
+                                        const ir::Decision& decision, const ir::Monitor& monitor,
+                                        Trials* trials);
 
 // The 5016 of a recovery that stays in the zone of its property, and need not keep what that asks
 // for beyond touching its boundary: that it does not is a matter of where its ways lead.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
@@ -82,11 +83,13 @@ bool is_never_at_all(const ir::Decision& decision, const ir::Block& block, ir::V
 class Judge {
  public:
   Judge(const ir::Module& module, const ir::Decision& decision, std::size_t k,
-        const ExactZones* exact = nullptr)
+        const Decided* of = nullptr, const ExactZones* exact = nullptr)
       : module_(module),
         decision_(decision),
         monitor_(decision.monitors[k]),
         motion_(decision.motions[k + 1]),
+        k_(k),
+        of_(of),
         exact_(exact) {}
 
   // What a comparison asks for; of a parameter, whatever it becomes.
@@ -123,7 +126,7 @@ class Judge {
         return clearance(ir::ZoneIndex(bound->leaf.table), bound->need.strictest, strict, source);
       }
       if (bound->leaf.kind == Leaf::Kind::distance)
-        return distance(bound->need.strictest, strict, source);
+        return far_apart(bound->need.strictest, strict, source);
       if (bound->leaf.kind == Leaf::Kind::battery) {
         return charge(bound->need.strictest, shown_full_ppm(decision_.body), strict, "", source);
       }
@@ -228,7 +231,7 @@ class Judge {
         disc_mm(decision_.body, decision_.motions[0], 0, return_horizon_us()) -
         decision_.body.radius_mm;
     const auto given_back_mm = given_back_apart_mm();
-    Finding found = distance(least_mm + reach_mm, strict ? 1 : 0, value.source);
+    Finding found = distance(least_mm + reach_mm, value.source);
     if (!found && given_back_mm && least_mm > *given_back_mm) {
       found = finding(value.source);
       found->label = "no two robots that are given back are so far apart";
@@ -242,8 +245,8 @@ class Judge {
          "of the distance, the look-ahead of a robot at rest takes " + metres(reach_mm)});
     const std::int64_t gap_mm = widest_gap_mm() - reach_mm;
     const std::int64_t best = std::min(gap_mm, given_back_mm.value_or(gap_mm)) - (strict ? 1 : 0);
-    found->help = best > 0
-                      ? "a distance of at most " + metres(best) + " can be had"
+    const auto had = that_works(value.source, 1000, least_mm, best);
+    found->help = had ? "a distance of at most " + metres(*had) + " can be had"
                       : "no distance works: widen the zone, or lower `ahead`, `speed` or `accel`";
     return found;
   }
@@ -271,8 +274,9 @@ class Judge {
              metres(table.widest_mm) +
              (room < table.widest_mm ? ", and in no whole cell more than " + metres(room) : "") +
              "; body, errors and the age of a sample take " + metres(taken)});
-    d.help = best - strict >= 0 ? "a clearance of " + metres(best - strict) + " works"
-                                : "no clearance works: widen the zone";
+    const auto works = that_works(source, 1000, least, best - strict);
+    d.help = works ? "a clearance of " + metres(*works) + " works"
+                   : "no clearance works: widen the zone";
     return d;
   }
 
@@ -337,7 +341,16 @@ class Judge {
     }
     return least;
   }
-  Finding distance(std::int64_t least, std::int64_t strict, const SourceRange& source) const {
+  // The distance as the return condition asks for it.
+  Finding far_apart(std::int64_t least_mm, std::int64_t strict, const SourceRange& source) const {
+    Finding found = distance(least_mm, source);
+    if (!found) return found;
+    const auto had = that_works(source, 1000, least_mm, widest_gap_mm() - strict);
+    found->help = had ? "a distance of at most " + metres(*had) + " can be had"
+                      : "no distance works: widen the zone";
+    return found;
+  }
+  Finding distance(std::int64_t least, const SourceRange& source) const {
     std::optional<std::int64_t> best;
     const ir::ZoneTable* nearest = nullptr;
     for (const ir::Monitor& m : decision_.monitors) {
@@ -353,8 +366,6 @@ class Judge {
     d.label = "no two robots in `" + nearest->name + "` are so far apart";
     d.notes.push_back({std::nullopt, "from corner to corner of the box around `" + nearest->name +
                                          "` it is " + metres(*best) + " between two bodies"});
-    d.help = *best - strict > 0 ? "a distance of at most " + metres(*best - strict) + " can be had"
-                                : "no distance works: widen the zone";
     return d;
   }
   // Between two bodies in a zone, the farthest they may be apart. none: of robots in space a zone
@@ -384,9 +395,32 @@ class Judge {
                        "with its error and the age of its sample, a full battery is "
                        "sure to have " +
                            percent(shown_full_ppm(decision_.body))});
-    d.help = best - strict > 0 ? "`" + percent(best - strict) + "` works" + beyond
-                               : "no charge works" + beyond + ": a nearer site is needed";
+    const auto works = that_works(source, 1'000'000, least, best - strict);
+    const auto drive = works ? std::nullopt : drive_for(source, least - best);
+    d.help = works   ? "`" + percent(*works) + "` works" + beyond
+             : drive ? "`drive` of at most " + *drive + " %/m works; or a nearer site"
+                     : "no charge works" + beyond + ": a nearer site is needed";
     return d;
+  }
+  // With which a battery has as much as is missing.
+  std::optional<std::string> drive_for(const SourceRange& source, std::int64_t missing_ppm) const {
+    if (of_ == nullptr || of_->trials == nullptr) return std::nullopt;
+    const std::int64_t full_ppm = shown_full_ppm(decision_.body);
+    if (full_ppm <= 0) return std::nullopt;
+    const Rational share(static_cast<long>(full_ppm + missing_ppm), static_cast<long>(full_ppm));
+    return drive_that_works(*of_->trials, fault_of(diag::Code::return_set_empty, source),
+                            of_->written.kind, share);
+  }
+  // In place of what a comparison asks for: the nearest number with which all of the monitor works.
+  // `guess`: with which this finding is gone.
+  std::optional<std::int64_t> that_works(const SourceRange& source, int per_unit,
+                                         std::int64_t asked, std::int64_t guess) const {
+    if (of_ == nullptr || of_->trials == nullptr || guess < 0) return std::nullopt;
+    const sema::Monitor& written = of_->spec[of_->written.priority[k_]];
+    return asked_that_works(*of_->trials,
+                            {fault_of(diag::Code::return_set_empty, source), per_unit, asked,
+                             std::min(guess, asked - 1), guess / asked_share, written.range},
+                            source);
   }
   // No charge is enough where there is no way.
   Finding cramped(ir::SiteIndex site, std::int64_t within_mm, const SourceRange& source) const {
@@ -445,6 +479,8 @@ class Judge {
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const ir::Motion& motion_;
+  const std::size_t k_;
+  const Decided* of_;  // what is found out is offered help for; none: it is not asked for that
   const ExactZones* exact_;
 };
 
@@ -460,11 +496,10 @@ bool never_holds(const ir::Decision& decision, const ir::Block& property) {
   return is_never_at_all(decision, property, property.result);
 }
 
-std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,
-                                                const ir::Decision& decision, std::size_t k,
+std::optional<diag::Diagnostic> hopeless_return(const Decided& of, std::size_t k,
                                                 const ExactZones& exact) {
-  const Judge judge(module, decision, k, &exact);
-  const ir::Monitor& monitor = decision.monitors[k];
+  const Judge judge(of.module, of.decision, k, &of, &exact);
+  const ir::Monitor& monitor = of.decision.monitors[k];
   if (const auto& when = monitor.return_when) {
     if (Finding found = judge.condition(*when, when->result)) return found;
   }

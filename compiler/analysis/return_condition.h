@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/analysis/across.h"
+#include "compiler/analysis/decided.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
@@ -19,8 +20,7 @@ std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& de
 
 // 5007, with the largest value that works: the condition of monitor `k` holds nowhere, or at no
 // charge; nullopt: it may hold. Needs the costs of the sites.
-std::optional<diag::Diagnostic> hopeless_return(const ir::Module& module,
-                                                const ir::Decision& decision, std::size_t k,
+std::optional<diag::Diagnostic> hopeless_return(const Decided& of, std::size_t k,
                                                 const ExactZones& exact);
 
 // A property that is false whatever is measured: `false`, `1 m >= 2 m`, `exists` where there is no

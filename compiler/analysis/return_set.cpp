@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/repairs.h"
@@ -165,7 +166,10 @@ class ReturnSet {
         if (own_mm <= spare_mm) continue;
         all.push_back(finding(m, need_mm(now_, own_mm)));
         all.back().range = standoff_source(m, own_mm);
-        all.back().help = "a clearance of at most " + metres(kept_mm(m, spare_mm)) + " works";
+        const auto works = clearance_that_works(m, all.back().range, kept_mm(m, spare_mm));
+        all.back().help =
+            works ? "a clearance of at most " + metres(*works) + " works"
+                  : "a smaller clearance is needed, and none works alone: a wider zone, too";
       } else if (m.lookahead.duration_us == now_.lookahead_us) {
         all.push_back(finding(m, need_mm(now_, standoff)));
         all.back().help =
@@ -173,6 +177,16 @@ class ReturnSet {
       }
     }
     return all;
+  }
+  // In place of what is asked for at `range`, with which all of its monitor works.
+  std::optional<std::int64_t> clearance_that_works(const ir::Monitor& m,
+                                                   const std::optional<SourceRange>& range,
+                                                   std::int64_t guess_mm) const {
+    if (of_.trials == nullptr || guess_mm < 0) return std::nullopt;
+    const Fault fault = fault_of(diag::Code::return_set_empty, range);
+    return asked_that_works(
+        *of_.trials,
+        {fault, 1000, guess_mm + 1, guess_mm, guess_mm / asked_share, written(m).range}, *range);
   }
   // "": a zone would have to be much larger, or to try that takes long.
   std::string wider_zone(const Fault& fault) const {
@@ -213,8 +227,9 @@ class ReturnSet {
     diag::Diagnostic d = finding(m, asked_mm);
     d.range = when[when.result].source;
     d.notes = {note(m)};
-    d.help = least >= 0 ? "a clearance of " + metres(least) + " works"
-                        : "no clearance works: widen `" + zone_of(m).name + "`";
+    const auto works = clearance_that_works(m, d.range, least);
+    d.help = works ? "a clearance of " + metres(*works) + " works"
+                   : "no clearance works: widen `" + zone_of(m).name + "`";
     return d;
   }
 

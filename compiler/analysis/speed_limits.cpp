@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/paces.h"
 #include "compiler/analysis/reach.h"
@@ -146,15 +147,13 @@ class Limits {
       if (ir::acknowledged(decision_, name, monitor_.name)) continue;
       works_mmps = std::max(works_mmps, fastest_while_driving(decision_, k));
     }
-    const auto others = repairs(
-        of_.written, of_.trials, fault_of(diag::Code::speed_limit_unkept, limit.value->source),
-        [&](const Trial& t) {
-          const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
-          return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
-        });
+    const auto others = repairs(of_.written, of_.trials, fault(limit), [&](const Trial& t) {
+      const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
+      return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
+    });
     // at the declared speed it would find nothing (7004)
-    const bool limits = works_mmps < decision_.motions[0].speed_mmps;
-    std::string help = limits ? "a limit of " + speed_text(works_mmps) + " works" : "";
+    const auto higher = limit_that_works(limit, works_mmps);
+    std::string help = higher ? "a limit of " + speed_text(*higher) + " works" : "";
     if (!others.empty()) {
       help += (help.empty() ? "" : "; ") + ("for control to return, " + joined(others) + " works");
     }
@@ -176,17 +175,42 @@ class Limits {
     const ir::Body& body = decision_.body;
     const std::int64_t slower_mmps = slower_for(limit.most_mmps);
     const std::int64_t least_mmps = 2 * (body.velocity_error_mmps + decision_.pushed_mmps);
-    const std::string works = slower_mmps >= std::max<std::int64_t>(1, least_mmps)
-                                  ? "a recovery of at most " + speed_text(slower_mmps)
-                                  : "a limit of " + speed_text(mmps);
+    const auto slower =
+        slower_mmps >= std::max<std::int64_t>(1, least_mmps)
+            ? recovery_that_works(limit, decision_.monitors[k].recovery, slower_mmps)
+            : std::nullopt;
+    const auto higher = slower ? std::nullopt : limit_that_works(limit, mmps);
+    const std::string works = slower
+                                  ? "a recovery of at most " + speed_text(*slower) + " works; or "
+                              : higher ? "a limit of " + speed_text(*higher) + " works; or "
+                                       : "";
     report(limit,
            "the recovery `" + name + "` drives at up to " + speed_text(mmps) + ", and `" +
                monitor_.name + "` allows " + speed_text(limit.most_mmps) +
                (of_a_choice ? " where nothing else of the `or` holds" : ""),
-           works + " works; or `acknowledge " + name + " may break " + monitor_.name + " \"why\"`");
+           works + "`acknowledge " + name + " may break " + monitor_.name + " \"why\"`" +
+               (works.empty() ? " works" : ""));
     if (name == monitor_.recovery.name) return;
     found_.back().monitor = monitor_.name;
     found_.back().recovery = name;
+  }
+  [[nodiscard]] Fault fault(const Limit& limit) const {
+    return fault_of(diag::Code::speed_limit_unkept, limit.value->source);
+  }
+  [[nodiscard]] std::optional<std::int64_t> limit_that_works(const Limit& limit,
+                                                             std::int64_t guess_mmps) const {
+    const std::int64_t declared_mmps = decision_.motions[0].speed_mmps;
+    if (of_.trials == nullptr || guess_mmps >= declared_mmps) return std::nullopt;
+    return asked_that_works(*of_.trials,
+                            {fault(limit), 1000, limit.most_mmps, guess_mmps, declared_mmps - 1},
+                            limit.value->source);
+  }
+  [[nodiscard]] std::optional<std::int64_t> recovery_that_works(const Limit& limit,
+                                                                const ir::Recovery& recovery,
+                                                                std::int64_t guess_mmps) const {
+    if (of_.trials == nullptr) return std::nullopt;
+    return recovery_speed_that_works(
+        *of_.trials, {fault(limit), 1000, recovery.speed_mmps, guess_mmps, 1}, recovery.name);
   }
   // What a recovery may mean to drive at so that it is never faster than that.
   [[nodiscard]] std::int64_t slower_for(std::int64_t most_mmps) const {

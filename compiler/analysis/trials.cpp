@@ -22,6 +22,12 @@ std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
   return all;
 }
 
+// A monitor and its recovery do not go together: where control returns, where it leads, how.
+bool is_of_places(diag::Code code) {
+  return code == diag::Code::return_set_empty || code == diag::Code::recovery_elsewhere ||
+         code == diag::Code::no_way_back;
+}
+
 bool no_more(const Faults& found, const Faults& than) {
   return std::ranges::includes(than, found);
 }
@@ -60,18 +66,25 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps) {
   return at->second ? &*at->second : nullptr;
 }
 
-bool Trials::mends(const Faults* found, const Fault& fault) {
-  return found != nullptr && !found->contains(fault) && no_more(*found, as_written());
+bool Trials::mends(const Faults* found, const Fault& fault,
+                   const std::optional<SourceRange>& all_of) {
+  const auto is_left = [&](const Fault& each) {
+    return all_of && is_of_places(each.code) && each.file == all_of->file &&
+           each.begin >= all_of->begin && each.begin < all_of->end;
+  };
+  return found != nullptr && !found->contains(fault) && std::ranges::none_of(*found, is_left) &&
+         no_more(*found, as_written());
 }
 
 std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess,
-                                            const Fault& fault) {
+                                            const Fault& fault,
+                                            const std::optional<SourceRange>& all_of) {
   std::optional<std::int64_t> good;
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
   for (const std::int64_t at : probes(guess, dial.far)) {
     const Faults* const found = with(dial, at);
-    if (mends(found, fault) && (!good || found->size() < left->size())) {
+    if (mends(found, fault, all_of) && (!good || found->size() < left->size())) {
       good = at;
       left = found;
       bad = before;

@@ -47,13 +47,15 @@ class Trials {
   // The number nearest to the written one with which `fault` is gone, nothing is wrong that was
   // right, and no more is wrong than with others that are farther off: of several errors with one
   // cause it mends all, if any does. Looked for from `guess` on. none: none of those that were
-  // tried is such a one.
-  std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault);
+  // tried is such a one. `all_of`: nor is one with which an error of places (5007, 5016,
+  // 5020) is left that begins in there.
+  std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault,
+                                      const std::optional<SourceRange>& all_of = {});
 
  private:
   const Faults& as_written();
   const Faults* with(const Dial& dial, std::int64_t steps);  // nullptr: refused, or too many
-  bool mends(const Faults* found, const Fault& fault);
+  bool mends(const Faults* found, const Fault& fault, const std::optional<SourceRange>& all_of);
 
   sema::Spec& spec_;
   Run run_;

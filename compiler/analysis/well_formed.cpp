@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
@@ -71,9 +72,8 @@ class WellFormed {
         const ir::Monitor& monitor = decision.monitors[k];
         for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);
         exact_far_enough(decision, monitor);
-        legs(decision, monitor);
-        if (auto found = hopeless_return(module_, decision, k, exact_);
-            found && !is_told_of(*found)) {
+        legs(decided, monitor);
+        if (auto found = hopeless_return(decided, k, exact_); found && !is_told_of(*found)) {
           diagnostics_.report(std::move(*found));
         }
         site(decided, monitor);
@@ -128,7 +128,8 @@ class WellFormed {
     diagnostics_.report(std::move(d));
   }
   // `ahead n waypoints`: a leg that keeps its distance has to fit somewhere (passes, legs).
-  void legs(const ir::Decision& decision, const ir::Monitor& monitor) {
+  void legs(const Decided& of, const ir::Monitor& monitor) {
+    const ir::Decision& decision = of.decision;
     if (monitor.lookahead.waypoints == 0) return;
     for (const ir::ZoneIndex fence : fences_of(monitor.property, decision.facts.params)) {
       std::int64_t own_mm = 0;
@@ -149,11 +150,23 @@ class WellFormed {
                 " from the boundary of " + zone;
       d.notes.push_back({std::nullopt, "the widest place of " + zone + " has a clearance of " +
                                            metres(module_[fence].widest_mm)});
-      d.help = spare_mm >= 0 ? "`tracking <= " + metres(spare_mm) + "` works"
-                             : "no `tracking` works: widen the zone by " + metres(-2 * spare_mm);
+      const auto works =
+          spare_mm >= 0 ? tracking_that_works(of.written.kind, spare_mm, fault_of(d.code, d.range))
+                        : std::nullopt;
+      d.help = works ? "`tracking <= " + metres(*works) + "` works"
+                     : "no `tracking` alone works: widen the zone by " +
+                           metres(std::max<std::int64_t>(-2 * spare_mm, 0));
       diagnostics_.report(std::move(d));
       return;
     }
+  }
+  std::optional<std::int64_t> tracking_that_works(sema::KindId id, std::int64_t guess_mm,
+                                                  const Fault& fault) const {
+    if (trials_ == nullptr) return std::nullopt;  // nobody reads it
+    sema::RobotKind& kind = trials_->spec().kinds[static_cast<std::size_t>(id)];
+    return kind.plan ? quantity_that_works(*trials_, {fault, 1000, 0, guess_mm, 0},
+                                           "tracking of " + kind.name, kind.plan->tracking)
+                     : std::nullopt;
   }
   // A cell of width s around the widest place has at least the clearance there less its diagonal.
   static std::string narrower(std::int64_t spare_mm) {
@@ -244,7 +257,7 @@ class WellFormed {
                                                  clearance_text(zone.cells, clearance) + ", " +
                                                  metres(give_back) + " is needed");
       } else if (!place.cost_ppm.empty()) {
-        affordable(spec_[kind], of.decision, monitor, place, range, what);
+        affordable(kind, of.decision, monitor, place, range, what);
       }
     }
   }
@@ -309,9 +322,9 @@ class WellFormed {
   }
 
   // A full battery must bring the robot home from the farthest connected place.
-  void affordable(const sema::RobotKind& kind, const ir::Decision& decision,
-                  const ir::Monitor& monitor, const ir::SiteTable::Place& place,
-                  const SourceRange& range, const std::string& what) {
+  void affordable(sema::KindId written, const ir::Decision& decision, const ir::Monitor& monitor,
+                  const ir::SiteTable::Place& place, const SourceRange& range,
+                  const std::string& what) {
     std::int64_t most = 0;
     for (const std::int32_t cost : place.cost_ppm) {
       if (cost != ir::no_way) most = std::max<std::int64_t>(most, cost);
@@ -319,35 +332,16 @@ class WellFormed {
     const std::int64_t full = 1'000'000 - decision.body.battery_error_ppm;
     if (most + decision.hold_reserve_ppm < full) return;
     const std::string other = "a faster `" + monitor.recovery.name + "` or a nearer site";
-    const std::string drive = drive_that_works(kind, Rational(most) / full, range);
-    report(monitor, Code::site_unreachable, range,
-           "the way to " + what + " takes up to " +
-               to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
-               " % of a full battery, `held` and `detour` included",
-           drive.empty() ? other + " is needed"
-                         : "`drive` of at most " + drive + " %/m works; or " + other);
-  }
-  // Largest `drive`, in %/m with two digits behind the point, with which the way fits into a
-  // battery that takes `share` of it; empty when the time alone takes too much.
-  std::string drive_that_works(const sema::RobotKind& kind, const Rational& share,
-                               const SourceRange& range) {
-    if (trials_ == nullptr) return "";
-    constexpr int per_unit = 10'000;
-    const auto number = static_cast<std::size_t>(&kind - spec_.kinds.data());
-    Rational& value = trials_->spec().kinds[number].energy->drive.value;
-    const Rational written = value;
-    const Dial dial{"drive of " + kind.name, floor_to_int(Rational(written * per_unit)) + 1, 1,
-                    [&](std::int64_t steps) {
-                      value = Rational(static_cast<long>(steps), per_unit);
-                      value.canonicalize();
-                      return true;
-                    },
-                    [&] { value = written; }};
-    const std::int64_t guess = floor_to_int(Rational(written * per_unit / share));
-    if (guess < 1) return "";
-    const auto found = trials_->nearest(dial, std::min(guess, dial.written - 1),
-                                        fault_of(Code::site_unreachable, range));
-    return found ? to_decimal(Rational(static_cast<long>(*found), 100)) : "";
+    const auto drive = trials_ != nullptr
+                           ? drive_that_works(*trials_, fault_of(Code::site_unreachable, range),
+                                              written, Rational(most) / full)
+                           : std::nullopt;
+    report(
+        monitor, Code::site_unreachable, range,
+        "the way to " + what + " takes up to " +
+            to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
+            " % of a full battery, `held` and `detour` included",
+        drive ? "`drive` of at most " + *drive + " %/m works; or " + other : other + " is needed");
   }
 
   void report(const ir::Monitor& monitor, Code code, const SourceRange& range, std::string message,

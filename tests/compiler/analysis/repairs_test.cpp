@@ -172,6 +172,29 @@ TEST(Repairs, TheDriveOf5012WorksAndFivePercentMoreDoesNot) {
   EXPECT_TRUE(has(*compiled(edited(thirsty, "15 %/m", more + " %/m")), Code::site_unreachable));
 }
 
+// Neither is a full battery enough nor the way affordable: one number mends both, and is told
+// twice.
+TEST(Repairs, OneDriveMends5007And5012) {
+  const auto c =
+      compiled(driver::test::read(driver::test::fs::path(RTAC_SOURCE_DIR) /
+                                  "tests/compiler/analysis/repairs/far_for_a_charge.rta"));
+  for (const Code code : {Code::return_set_empty, Code::site_unreachable}) {
+    EXPECT_EQ(number_in_help(*c, code, "`drive` of at most ", "%/m"), "8.86") << reports(*c);
+  }
+}
+
+// What is asked of a clearance so that control returns leaves the recovery as near as before.
+TEST(Repairs, ANumberThatMendsHalfOfAMonitorIsNotOffered) {
+  const auto c = compiled(driver::test::read(driver::test::fs::path(RTAC_SOURCE_DIR) /
+                                             "tests/compiler/analysis/repairs/wide_in_a_ring.rta"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty) && has(*c, Code::recovery_elsewhere)) << reports(*c);
+  EXPECT_EQ(reports(*c).find("a clearance of at most"), std::string::npos) << reports(*c);
+  EXPECT_EQ(reports(*c).find("such as `rim - grow(mid"), std::string::npos) << reports(*c);
+  EXPECT_NE(reports(*c).find("in `rim - grow(mid, 1.8 m)` other errors are left"),
+            std::string::npos)
+      << reports(*c);
+}
+
 TEST(Repairs, TheShrinkingOf4007Works) {
   const std::string gone =
       "spec a;\nzone room = rectangle (0 m, 0 m) to (4 m, 4 m);\n"

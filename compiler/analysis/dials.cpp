@@ -1,0 +1,190 @@
+#include "compiler/analysis/dials.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "compiler/sema/visit.h"
+
+namespace rtac::analysis {
+namespace {
+
+Rational value_of(std::int64_t steps, int per_unit) {
+  Rational value(static_cast<long>(steps), per_unit);
+  value.canonicalize();
+  return value;
+}
+
+// A signal, as it is: no multiple of one, and nothing that grows with another one.
+bool is_signal(const sema::Expr& e) {
+  return std::holds_alternative<sema::SignalRef>(e.node) ||
+         std::holds_alternative<sema::Clearance>(e.node) ||
+         std::holds_alternative<sema::Distance>(e.node) ||
+         std::holds_alternative<sema::AgentDistance>(e.node) ||
+         std::holds_alternative<sema::EnergyTo>(e.node);
+}
+// Collects the terms of a sum that are no signals; false: it is no such sum.
+bool terms_of(sema::ExprPtr& side, std::vector<sema::ExprPtr*>& numbers) {
+  if (is_signal(*side)) return true;
+  if (!sema::speaks_of_robot(*side)) {
+    numbers.push_back(&side);
+    return true;
+  }
+  auto* sum = std::get_if<sema::Arithmetic>(&side->node);
+  return sum != nullptr && sum->op == sema::ArithmeticOp::add &&
+         std::ranges::all_of(sum->operands, [&](auto& each) { return terms_of(each, numbers); });
+}
+// The one number of each comparison that is written there, where one is; it may be written once and
+// stand in several monitors.
+void find_asked(sema::ExprPtr& e, const SourceRange& at, std::vector<sema::ExprPtr*>& found) {
+  auto* compare = std::get_if<sema::Compare>(&e->node);
+  if (compare != nullptr && e->range == at) {
+    std::vector<sema::ExprPtr*> numbers;
+    const bool sums = terms_of(compare->left, numbers) && terms_of(compare->right, numbers);
+    if (sums && numbers.size() == 1) found.push_back(numbers.front());
+  }
+  sema::for_each_operand(*e, [&](sema::ExprPtr& operand) { find_asked(operand, at, found); });
+}
+
+// Calls `change` for what a recovery does: for each of its steps, or for what is claimed of it.
+template <class Change>
+void change_each(sema::Controller& recovery, const Change& change) {
+  if (auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
+    for (auto& step : sequence->steps) std::visit(change, step.what);
+  } else if (auto* external = std::get_if<sema::ExternController>(&recovery.implementation)) {
+    if (external->claim) change(*external->claim);
+  } else {
+    std::visit(change, recovery.implementation);
+  }
+}
+template <class Change>
+std::optional<std::int64_t> of_recovery(Trials& trials, const Sought& sought,
+                                        const std::string& recovery, const std::string& what,
+                                        const Change& change) {
+  auto& all = trials.spec().controllers;
+  const auto found = std::ranges::find(all, recovery, &sema::Controller::name);
+  if (found == all.end()) return std::nullopt;
+  const auto written = found->implementation;
+  const Dial dial{what + " of " + recovery, sought.written, sought.far,
+                  [&](std::int64_t steps) {
+                    const Rational value = value_of(steps, sought.per_unit);
+                    change_each(*found, [&](auto& each) { change(each, value); });
+                    return true;
+                  },
+                  [&] { found->implementation = written; }};
+  return trials.nearest(dial, sought.guess, sought.fault, sought.all_of);
+}
+
+}  // namespace
+
+std::optional<std::int64_t> quantity_that_works(Trials& trials, Sought sought,
+                                                const std::string& name, sema::Quantity& number) {
+  const Rational written = number.value;
+  const std::int64_t floor = floor_to_int(Rational(written * sought.per_unit));
+  sought.written = sought.guess > floor ? floor : floor + 1;
+  const Dial dial{name, sought.written, sought.far,
+                  [&](std::int64_t steps) {
+                    number.value = value_of(steps, sought.per_unit);
+                    return true;
+                  },
+                  [&] { number.value = written; }};
+  return trials.nearest(dial, sought.guess, sought.fault, sought.all_of);
+}
+
+std::optional<std::int64_t> asked_that_works(Trials& trials, const Sought& sought,
+                                             const SourceRange& comparison) {
+  std::vector<sema::ExprPtr*> places;
+  for (sema::Monitor& m : trials.spec().monitors) {
+    find_asked(m.always, comparison, places);
+    if (m.return_when) find_asked(m.return_when, comparison, places);
+  }
+  if (places.empty()) return std::nullopt;
+  std::int64_t from = sought.written;
+  if (const auto* constant = std::get_if<sema::Constant>(&(*places.front())->node)) {
+    const std::int64_t floor = floor_to_int(Rational(constant->value * sought.per_unit));
+    from = sought.guess > floor ? floor : floor + 1;
+  }
+  std::vector<sema::ExprPtr> written;
+  const std::string at = std::to_string(static_cast<std::uint32_t>(comparison.file)) + ":" +
+                         std::to_string(comparison.begin);
+  const Dial dial{"what is asked for at " + at, from, sought.far,
+                  [&](std::int64_t steps) {
+                    for (sema::ExprPtr* place : places) {
+                      const sema::Expr& was = **place;
+                      auto number = std::make_unique<sema::Expr>();
+                      number->range = was.range;
+                      number->boolean = false;
+                      number->dimension = was.dimension;
+                      number->node = sema::Constant{value_of(steps, sought.per_unit)};
+                      written.push_back(std::exchange(*place, std::move(number)));
+                    }
+                    return true;
+                  },
+                  [&] {
+                    for (std::size_t i = 0; i < written.size(); ++i) {
+                      *places[i] = std::move(written[i]);
+                    }
+                    written.clear();
+                  }};
+  return trials.nearest(dial, sought.guess, sought.fault, sought.all_of);
+}
+
+std::optional<std::int64_t> recovery_speed_that_works(Trials& trials, const Sought& sought,
+                                                      const std::string& recovery) {
+  return of_recovery(trials, sought, recovery, "the speed", [](auto& each, const Rational& most) {
+    if constexpr (requires { each.speed; }) each.speed.value = std::min(each.speed.value, most);
+  });
+}
+
+std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sought,
+                                               const std::string& recovery) {
+  return of_recovery(trials, sought, recovery, "the landing", [](auto& each, const Rational& at) {
+    if constexpr (requires { each.height; }) each.height.value = at;
+  });
+}
+
+bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                   const std::string& recovery, const std::string& name, sema::ZoneId from,
+                   sema::Zone zone) {
+  sema::Spec& spec = trials.spec();
+  const auto found = std::ranges::find(spec.controllers, recovery, &sema::Controller::name);
+  if (found == spec.controllers.end()) return false;
+  const auto written = found->implementation;
+  const sema::ZoneId last{static_cast<std::uint32_t>(spec.zones.size())};
+  const Dial dial{"zone of " + recovery + ": " + name,
+                  0,
+                  1,
+                  [&](std::int64_t) {
+                    spec.zones.push_back(std::move(zone));
+                    change_each(*found, [&](auto& each) {
+                      if constexpr (requires { each.zone; }) {
+                        if (each.zone == from) each.zone = last;
+                      }
+                    });
+                    return true;
+                  },
+                  [&] {
+                    found->implementation = written;
+                    zone = std::move(spec.zones.back());
+                    spec.zones.pop_back();
+                  },
+                  true};
+  return trials.nearest(dial, 1, fault, all_of).has_value();
+}
+
+std::optional<std::string> drive_that_works(Trials& trials, const Fault& fault, sema::KindId kind,
+                                            const Rational& share) {
+  constexpr int per_unit = 10'000;
+  sema::RobotKind& robot = trials.spec().kinds[static_cast<std::size_t>(kind)];
+  if (!robot.energy || share <= 0) return std::nullopt;
+  sema::Quantity& drive = robot.energy->drive;
+  const std::int64_t written = floor_to_int(Rational(drive.value * per_unit));
+  const std::int64_t guess =
+      std::min(floor_to_int(Rational(drive.value * per_unit / share)), written);
+  if (guess < 1) return std::nullopt;
+  const auto found =
+      quantity_that_works(trials, {fault, per_unit, 0, guess, 1}, "drive of " + robot.name, drive);
+  return found ? std::optional(to_decimal(value_of(*found, per_unit / 100))) : std::nullopt;
+}
+
+}  // namespace rtac::analysis

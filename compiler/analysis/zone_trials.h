@@ -1,0 +1,27 @@
+// Zones that are offered in place of the one that a recovery moves in, tried as numbers are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/analysis/trials.h"
+#include "compiler/ir/module.h"
+#include "compiler/support/source.h"
+
+namespace rtac::analysis {
+
+// What is in one of these zones, and so far from the boundary.
+struct ZonePart {
+  std::vector<ir::ZoneIndex> either;
+  std::int64_t off_mm = 0;
+};
+// Whether `fault` is gone, nothing is wrong that was right, and no error of places is left in
+// `all_of`, when `recovery` moves in what all of `parts` have in common instead of `from`. none: a
+// zone has heights, or no name, so that it cannot be tried.
+std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                                 const std::string& recovery, const ir::Module& module,
+                                 ir::ZoneIndex from, const std::vector<ZonePart>& parts);
+
+}  // namespace rtac::analysis
