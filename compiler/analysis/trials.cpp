@@ -1,13 +1,15 @@
 #include "compiler/analysis/trials.h"
 
 #include <algorithm>
+#include <ctime>
 #include <vector>
 
 namespace rtac::analysis {
 namespace {
 
-// Of one specification: a report is no search that lasts.
-constexpr int runs_most = 200;
+// Of one specification: a report is no search that lasts. In seconds of the processor, so that what
+// is offered does not hang on what else the machine does.
+constexpr int runs_most = 200, seconds_most = 30;
 // From the guess to the last number, each so many times nearer to that.
 constexpr std::int64_t times_farther = 4;
 constexpr std::size_t probes_most = 6;
@@ -56,12 +58,14 @@ const Faults& Trials::as_written() {
 
 const Faults* Trials::with(const Dial& dial, std::int64_t steps) {
   const auto [at, is_new] = known_.try_emplace({dial.name, steps});
-  if (is_new && runs_ < runs_most) {
+  if (is_new && runs_ < runs_most && ticks_ / CLOCKS_PER_SEC < seconds_most) {
+    const std::clock_t start = std::clock();
     if (dial.write(steps)) {
       ++runs_;
       at->second = run_(!dial.of_zone);
     }
     dial.restore();
+    ticks_ += std::clock() - start;
   }
   return at->second ? &*at->second : nullptr;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <functional>
 #include <map>
 #include <optional>
@@ -60,6 +61,7 @@ class Trials {
   sema::Spec& spec_;
   Run run_;
   int runs_ = 0;
+  std::clock_t ticks_ = 0;
   std::optional<Faults> as_written_;
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
 };

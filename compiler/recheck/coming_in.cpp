@@ -143,15 +143,6 @@ bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
 
 namespace {
 
-// Of zones, which lie within 100 km of the origin; what reaches farther is a complement.
-bool has_end(const geometry::Region& region) {
-  const Rational far(100'000);
-  return std::ranges::all_of(region.rings(), [&](const geometry::Ring& ring) {
-    return std::ranges::all_of(
-        ring, [&](const geometry::Point& p) { return abs(p.x) <= far && abs(p.y) <= far; });
-  });
-}
-
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
 // that zone loses no more than ways over cells do.
 bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,

@@ -1,9 +1,13 @@
 #include "compiler/recheck/company.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <variant>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/sums.h"
+#include "compiler/recheck/zones.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
@@ -74,7 +78,9 @@ class Company {
   }
   // At most as many as there are is no condition.
   [[nodiscard]] bool any_number(const sema::Compare& v) const {
-    if (robots_ < 2) return true;
+    const bool counts = std::holds_alternative<sema::CountOthers>(v.left->node) ||
+                        std::holds_alternative<sema::CountOthers>(v.right->node);
+    if (robots_ < 2 && !open_) return counts;
     using Op = sema::CompareOp;
     const bool at_most = v.op == Op::less || v.op == Op::less_equal;
     const sema::Expr& number = at_most ? *v.left : *v.right;
@@ -94,6 +100,45 @@ class Company {
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property) {
   return Company(spec, decision).keeps(property);
+}
+
+std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decision& decision,
+                                       const sema::Expr& property) {
+  if (std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind) < 2) return std::nullopt;
+  const auto* logic = std::get_if<sema::Logic>(&property.node);
+  std::optional<Rational> most;
+  const auto take = [&](const std::optional<Rational>& asked) {
+    if (asked && (!most || *asked > *most)) most = asked;
+  };
+  if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
+    for (const sema::ExprPtr& each : logic->operands) take(distance_asked(spec, decision, *each));
+  }
+  const auto* others = std::get_if<sema::ForOthers>(&property.node);
+  if (others != nullptr && others->universal) take(distance_asked(spec, decision, *others->body));
+  const auto* compare = std::get_if<sema::Compare>(&property.node);
+  if (compare == nullptr) return most;
+  using Op = sema::CompareOp;
+  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return most;
+  const auto sum = above ? difference(spec, *compare->left, *compare->right)
+                         : difference(spec, *compare->right, *compare->left);
+  if (!sum || sum->terms.size() != 1) return most;
+  const auto& [of, times] = *sum->terms.begin();
+  if (of.kind == Measured::Kind::distance && times > 0) take(Rational(-sum->least / times));
+  return most;
+}
+
+double widest_apart(const geometry::Region& zone, double radius) {
+  double left = 1e300, right = -1e300, low = 1e300, top = -1e300;
+  if (!has_end(zone)) return std::numeric_limits<double>::infinity();
+  for (const geometry::Ring& ring : zone.rings()) {
+    for (const geometry::Point& p : ring) {
+      left = std::min(left, p.x.get_d()), right = std::max(right, p.x.get_d());
+      low = std::min(low, p.y.get_d()), top = std::max(top, p.y.get_d());
+    }
+  }
+  return std::hypot(std::max(right - left - 2 * radius, 0.0),
+                    std::max(top - low - 2 * radius, 0.0));
 }
 
 bool speaks_of_charge(const sema::Expr& property) {

@@ -1,6 +1,9 @@
 // Who keeps what a property says of other robots and of agents, as it is written.
 #pragma once
 
+#include <optional>
+
+#include "compiler/geometry/region.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::recheck {
@@ -10,6 +13,14 @@ namespace rtac::recheck {
 // of agents, who obey no decision (rule 9.8).
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);
+
+// The largest distance to another robot that a property asks for at least, of each of them;
+// nullopt: it asks for none, or there is no other robot.
+std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decision& decision,
+                                       const sema::Expr& property);
+// How far apart the centres of two bodies of that radius may be in a zone, in m, by the box around
+// it; infinite: it has no end.
+double widest_apart(const geometry::Region& zone, double radius);
 
 bool speaks_of_charge(const sema::Expr& property);
 

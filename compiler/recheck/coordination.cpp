@@ -31,9 +31,11 @@ bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& 
   if (!driving.recover) return false;
   if (judged.recover == driving.recover) return true;
   if (d.coordinated && answers_to_inputs(*judged.always)) return false;
-  const Entry* const e = find(part, "C", judged.name, spec[*driving.recover].name);
-  return e != nullptr && is_shown(*e) && claim_of(*e, "outranks") == nullptr &&
-         claim_of(*e, "coordinated") == nullptr;
+  return std::any_of(part.entries.begin(), part.entries.end(), [&](const Entry& e) {
+    return e.kind == "C" && e.monitor == judged.name && e.recovery == spec[*driving.recover].name &&
+           is_shown(e) && speaks_of(e, driving) && claim_of(e, "outranks") == nullptr &&
+           claim_of(e, "coordinated") == nullptr;
+  });
 }
 
 bool in_circle(const sema::Spec& spec, const sema::Decision& d, const Part& part,

@@ -16,8 +16,8 @@ struct EnteringLimits {
   double least;      // clearance of the cells that ways lead to, at least
   double tested;     // and of those that count among the ones that are tried
   double loss;       // how much farther from the zone a way may lead than it begins
-  // How far from the boundary of the zone ways end that lead straight away from the nearest place of
-  // it, or in through that, at least and at most; 0: there.
+  // How far from the boundary of the zone ways end that lead straight away from the nearest place
+  // of it, or in through that, at least and at most; 0: there.
   double straight_least = 0, straight_most = 0;
   // Of a robot that no other one is in the way of: the clearance that it looks for first, and how
   // far off it considers all cells.

@@ -1,6 +1,7 @@
 #include "compiler/recheck/recheck.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -175,6 +176,7 @@ class Check {
         return m.ahead.duration_unsound || !m.ahead.unsound_reason.empty();
       }
       if (e.kind == "P2b" && m.hold_reason) return true;
+      if (e.kind != "P2a" && e.kind != "P2b" && e.kind != "C") return false;
       std::string recovery = e.recovery;
       if (recovery.empty() && m.recover) recovery = spec_[*m.recover].name;
       return std::any_of(d.acknowledgements.begin(), d.acknowledgements.end(), [&](const auto& a) {
@@ -266,7 +268,27 @@ class Check {
     return nullptr;
   }
 
+  // No two robots are farther apart than the box of a zone that both are held in, less the body on
+  // each side.
+  void apart(const sema::Decision& d, const Entry& e) {
+    const double radius = spec_[d.kind].radius.value.get_d();
+    double widest = std::numeric_limits<double>::infinity();
+    for (const sema::MonitorId id : d.priority) {
+      for (const sema::ZoneId zone : kept_in(spec_, *spec_[id].always)) {
+        if (const geometry::Region* const region = claims_.zones().region(zone)) {
+          widest = std::min(widest, widest_apart(*region, radius));
+        }
+      }
+    }
+    for (const sema::MonitorId id : d.priority) {
+      const auto asked = distance_asked(spec_, d, *spec_[id].always);
+      if (asked && asked->get_d() + 2 * radius > widest) {
+        fail(whom(d, e) + ": no two robots are so far apart as `" + spec_[id].name + "` asks");
+      }
+    }
+  }
   void joint(const sema::Decision& d, const Entry& e) {
+    apart(d, e);
     if (has(e, "no_fences", {{"decision", d.name}})) {
       for (const sema::MonitorId id : d.priority) {
         if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], {});
@@ -315,6 +337,7 @@ class Check {
               const sema::Monitor& m) {
     const sema::Controller& recovery = spec_[*driving.recover];
     follows(d, e, recovery);
+    charged(d, e, recovery, m);
     std::vector<sema::ZoneId> moves = moves_within(recovery);
     std::erase_if(moves, [&](sema::ZoneId zone) { return stays_put(d, e, driving, m, zone); });
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
@@ -396,6 +419,20 @@ class Check {
            names.at("outer") + "`");
     }
   }
+  // Who goes to be charged has to rest within 15 cm of its dock (language rule 6.7): a way ends no
+  // nearer than 2 cm or the position error, and there a robot is held off as far as it sways.
+  void charged(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
+               const sema::Monitor& m) {
+    const sema::RobotKind& kind = spec_[d.kind];
+    const auto way = sema::route_of(recovery);
+    if (!way || !kind.energy || kind.energy->charge_at != way->site) return;
+    if (!speaks_of_charge(*m.always)) return;
+    const Numbers n = numbers_of(spec_, d, jitter_of(spec_, d));
+    const Rational off = n.sway + std::max(Rational(n.position_error), Rational(2, 100));
+    if (off > Rational(15, 100)) {
+      fail(whom(d, e) + ": it may come to rest too far from its dock to be charged");
+    }
+  }
   void follows(const sema::Decision& d, const Entry& e, const sema::Controller& recovery) {
     if (follows_its_hold(spec_[d.kind], d, recovery)) return;
     fail(whom(d, e) + ": its brake is too weak to follow the hold of `" + recovery.name + "`");
@@ -441,7 +478,14 @@ class Check {
     }
     return 0;
   }
+  // Its last step ends at a place, by a way over cells or legs; to others it only makes room.
+  static bool leads_somewhere(const sema::Controller& recovery) {
+    const auto steps = sema::templates_of(recovery);
+    return !steps.empty() && sema::moves_of(steps.back()) &&
+           !std::holds_alternative<sema::Yield>(steps.back());
+  }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    if (m.recover) charged(d, e, spec_[*m.recover], m);
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover) follows(d, e, spec_[*m.recover]);
     if (m.recover && sema::claim_of(spec_[*m.recover]) && sema::speaks_of_robot(*m.always)) {
@@ -454,9 +498,10 @@ class Check {
       if (lets_go(spec_, d, claims_, m, 0)) return;
       return fail(whom(d, e) + ": its `return when` may not hold where the robots have parted");
     }
-    const bool moves = m.recover && !moves_within(spec_[*m.recover]).empty();
+    const bool moves =
+        m.recover && leads_somewhere(spec_[*m.recover]) && sema::speaks_of_robot(*m.always);
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
-    if (!legs && moves && !all_zones(*m.always).empty()) need(d, e, "ways", {{"monitor", m.name}});
+    if (!legs && moves) need(d, e, "ways", {{"monitor", m.name}});
     if (has(e, "ways")) need(d, e, "lemma", {{"name", "return_reached"}}, false);
     if (!lets_go(spec_, d, claims_, m, left_by(e))) {
       fail(whom(d, e) + ": its `return when` may not hold where the recovery has led to");
@@ -476,6 +521,9 @@ class Check {
   }
   void keeps_other(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
                    const Part& part) {
+    const bool some = std::ranges::any_of(
+        d.priority, [&](sema::MonitorId id) { return speaks_of(e, spec_[id]); });
+    if (!some) return fail(whom(d, e) + ": it is about no monitor that the recovery drives for");
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& driving = spec_[id];
       if (!driving.recover || spec_[*driving.recover].name != e.recovery) continue;
@@ -494,17 +542,16 @@ class Check {
         }
         continue;
       }
-      // the recovery of several monitors has an entry for each of them
+      // the recovery of several monitors may have an entry for each of them
       const bool elsewhere =
           std::any_of(part.entries.begin(), part.entries.end(), [&](const Entry& other) {
             if (&other == &e || other.kind != "C" || other.monitor != e.monitor ||
                 other.recovery != e.recovery) {
               return false;
             }
-            return !is_shown(other) || guards(other, d, m, driving) ||
-                   coordinates(other, d, m, driving);
+            return !is_shown(other) || speaks_of(other, driving);
           });
-      if (elsewhere) continue;
+      if (elsewhere && !speaks_of(e, driving)) continue;
       drives();
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");

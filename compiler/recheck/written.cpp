@@ -1,5 +1,6 @@
 #include "compiler/recheck/written.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace rtac::recheck {
@@ -58,6 +59,12 @@ const Claim* claim_of(const Entry& entry, const std::string& what) {
     if (claim.what == what) return &claim;
   }
   return nullptr;
+}
+
+bool speaks_of(const Entry& entry, const sema::Monitor& driving) {
+  return std::any_of(entry.claims.begin(), entry.claims.end(), [&](const Claim& c) {
+    return c.what == "recovery" && recheck::text(c.values, "monitor") == driving.name;
+  });
 }
 
 bool is_shown(const Entry& entry) {

@@ -25,6 +25,9 @@ std::optional<std::vector<Part>> read_report(const std::string& report);
 const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
                   const std::string& recovery = "");
 const Claim* claim_of(const Entry& entry, const std::string& what);
+// Of the recovery of several monitors: whether it is about what happens while it drives for this
+// one.
+bool speaks_of(const Entry& entry, const sema::Monitor& driving);
 // It is proved, or accepted as far as what others do goes, and its claims are all the rest.
 bool is_shown(const Entry& entry);
 

@@ -292,4 +292,12 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   return Rational(std::max(longest, begins.longest - limits.reach));
 }
 
+bool has_end(const geometry::Region& region) {
+  const Rational far(100'000);
+  return std::ranges::all_of(region.rings(), [&](const geometry::Ring& ring) {
+    return std::ranges::all_of(
+        ring, [&](const geometry::Point& p) { return abs(p.x) <= far && abs(p.y) <= far; });
+  });
+}
+
 }  // namespace rtac::recheck

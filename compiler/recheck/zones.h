@@ -77,4 +77,7 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
                                     const Rational& goal_m,
                                     const std::vector<geometry::Point>& sites, bool deeper = false);
 
+// Of zones, which lie within 100 km of the origin; what reaches farther is a complement.
+bool has_end(const geometry::Region& region);
+
 }  // namespace rtac::recheck

@@ -108,32 +108,18 @@ decision fly)");
   EXPECT_NE(o.out.find("`go_north` is not shown to keep `walls`"), std::string::npos) << o.out;
 }
 
-// Cells are coarse: from between the two obstacles none of them leads on, and the recovery gets
-// out.
+// Cells are coarse: from within the bent corridor none of them leads on, and the recovery gets out.
 TEST_F(Verify, NoWayOverCellsTakesARunToRefute) {
-  write("pocket.rta", R"(spec pocket;
-zone hall = rectangle (0 m, 0 m) to (6 m, 8 m);
-zone desk = rectangle (3.35 m, 5.95 m) to (4.37 m, 6.34 m);
-zone bin  = rectangle (1.73 m, 4.33 m) to (2.7 m, 5.37 m);
-zone post = rectangle (1.31 m, 4.34 m) to (1.6 m, 4.64 m);
-zone free = hall - desk - bin - post;
-robot Bot {
-  body radius 10 cm;
-  motion unicycle { speed <= 1.5 m/s; accel <= 0.3 m/s^2; brake >= 1 m/s^2; turn <= 2.84 rad/s; turn_accel <= 10 rad/s^2; }
-  sense position : point error 2 cm max_age 0 ms;
-  sense heading : angle error 1 deg max_age 100 ms;
-  sense velocity : vector error 3 cm/s max_age 0 ms;
-  output drive : twist;
-  latency 5 ms;
-}
-fleet bot : Bot;
-controller policy : advanced for Bot extern;
-controller back : safe for Bot = retreat within free speed 0.5 m/s;
-monitor fence for r : Bot { "R1: in what is free" always r inside free; recover back; }
-decision go for Bot { advanced policy; period 100 ms; priority fence; }
+  write("bend.rta", "spec bend;\n" + edited(a_rover, "speed <= 1.5", "speed <= 1") + R"(
+zone room = rectangle (0 m, 0 m) to (3 m, 3 m) | rectangle (3 m, 1.2 m) to (6 m, 1.7 m)
+          | rectangle (5.5 m, 1.2 m) to (6 m, 4 m) | rectangle (5.5 m, 3.5 m) to (9 m, 4 m)
+          | rectangle (9 m, 2 m) to (12 m, 5 m);
+controller back : safe for Rover = retreat within room speed 0.3 m/s;
+monitor fence for r : Rover { "R1: in the room" always r inside room; recover back; }
+decision go for Rover { advanced drive; period 50 ms; priority fence; }
 )");
   ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
-  const Outcome o = rtac({"verify", "pocket.rta"});
+  const Outcome o = rtac({"verify", "bend.rta"});
   ::unsetenv("RTAC_SIM");
   EXPECT_EQ(o.status, 4) << o.out << o.err;
   EXPECT_NE(o.out.find("no way over its cells leads"), std::string::npos) << o.out;

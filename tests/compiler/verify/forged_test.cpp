@@ -1,0 +1,98 @@
+// Reports in which somebody has written what is not so, sealed anew: each is noticed, and why.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Forged : public Verify {
+ protected:
+  void prove(const std::string& text) {
+    const Outcome o = verified(text, {"-o", "certificates"});
+    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    report_ = Json::parse(read("certificates/verification.json"));
+  }
+  Json& entry(const std::string& kind, const std::string& monitor) {
+    for (Json& o : report_["decisions"][0]["obligations"]) {
+      if (o["obligation"] == kind && o.value("monitor", "") == monitor) return o;
+    }
+    ADD_FAILURE() << kind << " of " << monitor;
+    return report_;
+  }
+  void expect_noticed(const std::string& why) {
+    write("certificates/verification.json", report_.dump());
+    const Outcome o = recheck_sealed_anew();
+    EXPECT_EQ(o.status, exit_violation) << o.out;
+    EXPECT_NE(o.out.find(why), std::string::npos) << o.out;
+  }
+  void expect_noticed_in(const std::string& file, const std::string& from, const std::string& to,
+                         const std::string& why) {
+    write("certificates/sources/" + file, edited(read("certificates/sources/" + file), from, to));
+    expect_noticed(why);
+  }
+  Json report_;
+};
+
+const std::string delivery = "specs/robot_delivery/robot_delivery.rta";
+
+// A charge names no zone, and is led home all the same.
+TEST_F(Forged, AChargeIsGivenBackByAWay) {
+  prove(spec_text(delivery));
+  Json& claims = entry("P2b", "battery")["claims"];
+  for (std::size_t k = claims.size(); k-- > 0;) {
+    if (claims[k]["claim"] == "ways") claims.erase(k);
+  }
+  expect_noticed("P2b of `battery`: it rests on no claim `ways`");
+}
+
+TEST_F(Forged, APairIsAboutAMonitorThatTheRecoveryDrivesFor) {
+  prove(spec_text(delivery));
+  Json empty = entry("C", "geofence");
+  empty["status"] = "proved";
+  empty["claims"] = Json::array();
+  Json& all = report_["decisions"][0]["obligations"];
+  all.insert(all.begin(), empty);
+  expect_noticed("it is about no monitor that the recovery drives for");
+}
+
+// An acknowledgement is about what a recovery keeps and leads to, and about nothing else.
+TEST_F(Forged, WhetherAPropertyCanBeSeenNobodyAcknowledges) {
+  prove(edited(spec_text(delivery), "acknowledge give_way",
+               "acknowledge go_charge may break battery \"staff\"; acknowledge give_way"));
+  Json& o = entry("satisfiable", "battery");
+  o["status"] = "acknowledged";
+  o["claims"] = Json::array();
+  expect_noticed("satisfiable of `battery`: nobody acknowledges it");
+}
+
+TEST_F(Forged, AnAgentMayComeNearToWhoIsAlone) {
+  prove("spec near;\nzone room = rectangle (0 m, 0 m) to (9 m, 9 m);\n" +
+        edited(a_rover, "fleet r1",
+               "agent man : radius 25 cm, speed <= 1 m/s error 5 cm max_age 200 ms;\nfleet r1") +
+        R"(controller back : safe for Rover = retreat within room speed 0.3 m/s;
+monitor off for r : Rover { "R1: off" always distance(r, man) >= 30 cm; recover back; }
+decision go for Rover { advanced drive; period 50 ms; priority off;
+  acknowledge back may break off "he sees it"; }
+)");
+  entry("P2a", "off")["status"] = "proved";
+  expect_noticed("P2a of `off`: others may break it");
+}
+
+TEST_F(Forged, RobotsAreNoFartherApartThanTheirZoneIsWide) {
+  write("point.rta", spec_text("tests/campaign/specs/templates/point.rta"));
+  prove(spec_text("tests/campaign/specs/templates/yield_point.rta"));
+  expect_noticed_in("spec.rta", ">= 10 cm", ">= 13 m",
+                    "joint return: no two robots are so far apart as `apart` asks");
+}
+
+// In a wind that holds it off.
+TEST_F(Forged, WhoChargesRestsAtItsDock) {
+  write("point.rta", spec_text("tests/campaign/specs/templates/point.rta"));
+  prove(edited(spec_text("tests/campaign/specs/templates/route_point.rta"), "dock = (1 m, 1 m)",
+               "dock = (2 m, 2 m)"));
+  const std::string limit = "brake >= 1 m/s^2;";
+  expect_noticed_in("point.rta", limit, limit + " disturbance <= 0.3 m/s^2;",
+                    "P2a of `battery`: it may come to rest too far from its dock to be charged");
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
