@@ -5,7 +5,7 @@
 namespace rtac::analysis {
 namespace {
 
-std::int64_t divided_up(std::int64_t a, std::int64_t b) {
+std::int64_t div_up(std::int64_t a, std::int64_t b) {
   return (a + b - 1) / b;
 }
 
@@ -21,7 +21,7 @@ Speeds speeds(const ir::Body& body, const ir::Motion& motion, std::int64_t measu
               std::int64_t t_us) {
   const std::int64_t seen = measured_mmps + body.velocity_error_mmps + off_grid(body);
   const std::int64_t cap = motion.recovery ? std::max(motion.speed_mmps, seen) : motion.speed_mmps;
-  return {cap, std::min(cap, seen), divided_up(motion.accel_mmps2 * divided_up(t_us, 1000), 1000)};
+  return {cap, std::min(cap, seen), div_up(motion.accel_mmps2 * div_up(t_us, 1000), 1000)};
 }
 
 }  // namespace
@@ -33,23 +33,22 @@ std::int64_t horizon_us_max(const ir::Body& body, std::int64_t lookahead_us) {
 std::int64_t way_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
                     std::int64_t t_us) {
   const Speeds s = speeds(body, motion, measured_mmps, t_us);
-  const std::int64_t t_ms = divided_up(t_us, 1000);
+  const std::int64_t t_ms = div_up(t_us, 1000);
   if (s.first_mmps + s.gain_mmps <= s.cap_mmps) {
-    return divided_up(s.first_mmps * t_ms, 1000) +
-           divided_up(motion.accel_mmps2 * t_ms * t_ms, 2'000'000);
+    return div_up(s.first_mmps * t_ms, 1000) + div_up(motion.accel_mmps2 * t_ms * t_ms, 2'000'000);
   }
   const std::int64_t rest = s.cap_mmps - s.first_mmps;
-  return divided_up(s.cap_mmps * t_ms, 1000) - rest * rest / (2 * motion.accel_mmps2);
+  return div_up(s.cap_mmps * t_ms, 1000) - rest * rest / (2 * motion.accel_mmps2);
 }
 
 std::int64_t disc_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
                      std::int64_t t_us) {
   const Speeds s = speeds(body, motion, measured_mmps, t_us);
   const std::int64_t last = std::min(s.cap_mmps, s.first_mmps + s.gain_mmps);
-  const std::int64_t stop = divided_up(last * last, 2 * body.brake_mmps2);
-  const std::int64_t tube = body.radius_mm + divided_up(last * body.brake_lag_ms, 1000) +
-                            divided_up(stop * body.brake_lag_permille, 1000) + body.hold_mm +
-                            divided_up(stop * ir::sway_permille(body), 1000);
+  const std::int64_t stop = div_up(last * last, 2 * body.brake_mmps2);
+  const std::int64_t tube = body.radius_mm + div_up(last * body.brake_lag_ms, 1000) +
+                            div_up(stop * body.brake_lag_permille, 1000) + body.hold_mm +
+                            div_up(stop * ir::sway_permille(body), 1000);
   return body.position_error_mm + off_grid(body) + way_mm(body, motion, measured_mmps, t_us) +
          stop + tube;
 }

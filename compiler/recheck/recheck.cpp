@@ -113,11 +113,14 @@ class Check {
     if (proved && declared) {
       return fail(whom(d, e) + ": how long others keep it waiting is declared, and not proved");
     }
-    if (!proved && accepted(d, e)) {
+    // of all turns the model is checked, with what is accepted taken to be kept
+    const bool of_turns = e.kind == switching;
+    if (!proved && accepted(d, e) && !of_turns) {
       if (!e.claims.empty()) fail(whom(d, e) + ": what is acknowledged rests on no claim");
       return;
     }
-    if (!proved && !declared) return fail(whom(d, e) + ": nobody acknowledges it");
+    if (!proved && !declared && !(of_turns && accepted(d, e)))
+      return fail(whom(d, e) + ": nobody acknowledges it");
     rests_on(d, e, part);
     for (const Claim& claim : e.claims) {
       ++out_.claims;
@@ -126,7 +129,7 @@ class Check {
         continue;
       }
       take(whom(d, e), claim,
-           claim.what == "protocol" ? turns(d, part, claim) : claims_.check(claim));
+           claim.what == "protocol" ? turns(d, part, claim, !proved) : claims_.check(claim));
     }
   }
   void take(const std::string& of, const Claim& claim, const std::optional<Doubt>& doubt) {
@@ -143,9 +146,10 @@ class Check {
     for (const auto& [of, claim] : lemmas_) take(of, claim, claims_.check(claim));
   }
 
-  std::optional<Doubt> turns(const sema::Decision& d, const Part& part, const Claim& claim) {
+  std::optional<Doubt> turns(const sema::Decision& d, const Part& part, const Claim& claim,
+                             bool accepting) {
     if (!out_.failed.empty()) return Doubt{false, not_asked};
-    return check_turns(spec_, d, part, claim, claims_, provers_.model);
+    return check_turns(spec_, d, part, claim, accepting, claims_, provers_.model);
   }
 
   // It keeps what its monitor says of charge as long as others keep to what is declared; not where

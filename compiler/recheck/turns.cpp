@@ -49,6 +49,15 @@ class Turns {
                        [&](sema::ZoneId zone) { return leaves_room(i, zone); });
   }
 
+  // The specification accepts that recovery i may break monitor j.
+  [[nodiscard]] bool accepts(std::size_t i, std::size_t j) const {
+    return std::ranges::any_of(d_.acknowledgements, [&](const sema::Acknowledgement& a) {
+      return spec_[a.recovery].name == recovery(i).name && spec_[a.monitor].name == monitor(j).name;
+    });
+  }
+  // Or that it need not lead out by itself.
+  [[nodiscard]] bool holds(std::size_t i) const { return monitor(i).hold_reason.has_value(); }
+
   [[nodiscard]] protocol::Subject subject() const {
     protocol::Subject s;
     s.decision = d_.name;
@@ -177,7 +186,8 @@ class Turns {
 }  // namespace
 
 std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d, const Part& part,
-                                 const Claim& claim, Claims& claims, const ProveModel& prove) {
+                                 const Claim& claim, bool accepting, Claims& claims,
+                                 const ProveModel& prove) {
   const protocol::Arbitration taken{protocol::table_of(text(claim.values, "keeps")),
                                     protocol::table_of(text(claim.values, "settles"))};
   const std::size_t count = d.on_plan ? 0 : d.priority.size();
@@ -190,10 +200,12 @@ std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d
       if (i == j) continue;
       const std::string pair =
           "recovery " + std::to_string(i + 1) + " and monitor " + std::to_string(j + 1) + ": ";
-      if (taken.keeps[i][j] && !turns.keeps(i, j)) {
+      const bool accepted = accepting && turns.accepts(i, j);
+      if (taken.keeps[i][j] && !turns.keeps(i, j) && !accepted) {
         return Doubt{true, pair + "it is not proved that it keeps what it says"};
       }
-      if (taken.settles[i][j] && !turns.settles(i, j)) {
+      const bool waits = accepted || (accepting && turns.holds(i));
+      if (taken.settles[i][j] && !turns.settles(i, j) && !waits) {
         return Doubt{true, pair + "where one returns the other may not"};
       }
     }

@@ -6,7 +6,10 @@
 
 namespace rtac::recheck {
 
+// `accepting`: what the specification accepts counts as if it did not happen, pairs that it
+// acknowledges and recoveries that need not lead out.
 std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d, const Part& part,
-                                 const Claim& claim, Claims& claims, const ProveModel& prove);
+                                 const Claim& claim, bool accepting, Claims& claims,
+                                 const ProveModel& prove);
 
 }  // namespace rtac::recheck

@@ -56,7 +56,7 @@ struct Obligation {
   std::string repair;          // of what is refuted: what would work; may be empty
   std::string trace;           // of what is refuted: a run that shows it; may be empty
   std::vector<Claim> claims;   // of what is proved: all that it rests on
-  std::string model;           // of `switching`, proved: what the claims hold of
+  std::string model;           // of `switching`, proved or acknowledged: what the claims hold of
   std::int64_t micros = 0;     // how long it took
   std::string not_shown{};     // of what is refuted: why there is no run
   std::string not_recorded{};  // of what a run shows: why there is no `trace`

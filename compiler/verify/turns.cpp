@@ -271,14 +271,12 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
                   ? "in all runs every request is answered once, by a plan that no monitor refuses"
                   : "in all runs one controller drives, an engaged recovery within its look-ahead, "
                     "and recoveries do not take over from each other for ever";
-  if (reasons.empty()) {
-    o.model = model.text();
-    o.claims.push_back({"protocol",
-                        {{"decision", s.decision.name},
-                         {"dwell_ticks", std::to_string(s.decision.dwell_ticks)},
-                         {"keeps", protocol::text_of(known.keeps)},
-                         {"settles", protocol::text_of(known.settles)}}});
-  }
+  o.model = model.text();
+  o.claims.push_back({"protocol",
+                      {{"decision", s.decision.name},
+                       {"dwell_ticks", std::to_string(s.decision.dwell_ticks)},
+                       {"keeps", protocol::text_of(known.keeps)},
+                       {"settles", protocol::text_of(known.settles)}}});
   return o;
 }
 

@@ -64,6 +64,15 @@ TEST_F(Forged, WhetherAPropertyCanBeSeenNobodyAcknowledges) {
   expect_noticed("satisfiable of `battery`: nobody acknowledges it");
 }
 
+// What is acknowledged of pairs does not make a livelock of anything else acceptable.
+TEST_F(Forged, TurnsAreCheckedWithWhatIsAccepted) {
+  prove(spec_text(delivery));
+  Json& o = entry("switching", "");
+  o["status"] = "acknowledged";
+  o["claims"] = Json::array();
+  expect_noticed("switching: it rests on no claim `protocol`");
+}
+
 TEST_F(Forged, AnAgentMayComeNearToWhoIsAlone) {
   prove("spec near;\nzone room = rectangle (0 m, 0 m) to (9 m, 9 m);\n" +
         edited(a_rover, "fleet r1",

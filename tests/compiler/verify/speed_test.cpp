@@ -51,8 +51,11 @@ TEST_F(FastRecovery, WhatIsAcknowledgedIsNotProved) {
 // It is stopped for its speed, stands, and drives again, for ever: that is accepted, and not shown
 // to end.
 TEST_F(FastRecovery, WhoIsStoppedForEverIsNoProofOfAnEnd) {
-  const Outcome o = verified(cart("0.9 m/s", "calm > fence", accepted_fast), {"--format", "json"});
+  const Outcome o = verified(cart("0.9 m/s", "calm > fence", accepted_fast),
+                             {"--format", "json", "-o", "certificates"});
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"acknowledged"}) << o.out << o.err;
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
 TEST_F(FastRecovery, WhatIsRefusedIsNotProvedEither) {
@@ -66,7 +69,13 @@ TEST_F(FastRecovery, TheRecheckDeniesAProof) {
             exit_clean);
   Json report = Json::parse(read("certificates/verification.json"));
   for (Json& o : report["decisions"][0]["obligations"]) {
-    if (o["obligation"] == "C" && o["monitor"] == "calm") o["status"] = "proved";
+    if (o["obligation"] != "C" || o["monitor"] != "calm") continue;
+    o["status"] = "proved";
+    o["claims"] = Json::array({{{"claim", "recovery"},
+                                {"decision", "go"},
+                                {"monitor", "fence"},
+                                {"controller", "back"},
+                                {"template", "retreat"}}});
   }
   write("certificates/verification.json", report.dump());
   const Outcome o = recheck_sealed_anew();
