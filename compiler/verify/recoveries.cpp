@@ -480,6 +480,38 @@ std::string text_of(const std::vector<std::int64_t>& place_mm) {
   return text + ")";
 }
 
+// The matrix says that it may become false, and that nobody takes over in time.
+Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t driving,
+                  std::size_t judged, Obligation o) {
+  const ir::Monitor& i = s.decision.monitors[driving];
+  const ir::Monitor& j = s.decision.monitors[judged];
+  const std::string why = reason(s.decision, i.recovery.name, j.name);
+  o.because = entry.why;
+  if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
+  o.repair = entry.help;
+  if (!why.empty()) return acknowledged(std::move(o), why);
+  if (atoms_of(j.property).received) return o;  // that it happens is not shown either
+  o.status = Status::refuted;
+  o.method = "geometry and bounds";
+  // what inputs may ask for, nobody has to drive to
+  o.by_a_run = !entry.while_told;
+  o.starts = starts_of_damage(s, driving, judged);
+  if (entry.unending) {
+    o.by_a_run = false;
+    o.because += "; whoever keeps " + quoted(i.name) +
+                 " engaged for as long as a battery lasts makes " + quoted(j.name) + " fail";
+    o.not_shown = "inputs stay as they are in a run, and agents do not stay";
+    return o;
+  }
+  if (atoms_of(i.property).only_facts() && !o.starts.empty()) {
+    o.by_a_run = false;
+    o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
+                 ", its way leads out of what " + quoted(j.name) + " says";
+    o.not_shown = "inputs stay as they are in a run";
+  }
+  return o;
+}
+
 }  // namespace
 
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,
@@ -490,30 +522,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   o.recovery = i.recovery.name;
   const std::string why = reason(s.decision, i.recovery.name, j.name);
   if (entry.keeping == analysis::Keeping::broken) {
-    o.because = entry.why;
-    if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
-    o.repair = entry.help;
-    if (!why.empty()) return acknowledged(std::move(o), why);
-    if (atoms_of(j.property).received) return o;  // that it happens is not shown either
-    o.status = Status::refuted;
-    o.method = "geometry and bounds";
-    // what inputs may ask for, nobody has to drive to
-    o.by_a_run = !entry.while_told;
-    o.starts = starts_of_damage(s, driving, judged);
-    if (entry.unending) {
-      o.by_a_run = false;
-      o.because += "; whoever keeps " + quoted(i.name) +
-                   " engaged for as long as a battery lasts makes " + quoted(j.name) + " fail";
-      o.not_shown = "inputs stay as they are in a run, and agents do not stay";
-      return o;
-    }
-    if (atoms_of(i.property).only_facts() && !o.starts.empty()) {
-      o.by_a_run = false;
-      o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
-                   ", its way leads out of what " + quoted(j.name) + " says";
-      o.not_shown = "inputs stay as they are in a run";
-    }
-    return o;
+    return broken(s, entry, driving, judged, std::move(o));
   }
   o.claims.push_back(recovery_claim(s, driving));
   o.status = Status::proved;
