@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
@@ -74,9 +75,7 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
 
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
   if (!ir::goes_back(step.kind)) return step.route_clearance_mm;
-  const ir::Body& body = decision.body;
-  const std::int64_t room_mm = step.kind == ir::RecoveryKind::loiter ? 500 : 0;
-  return step.return_clearance_mm + body.end_reach_mm + body.position_error_mm + room_mm;
+  return goals_mm(decision, step).back();
 }
 
 namespace {

@@ -104,8 +104,8 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   if (!o.monitor.empty()) about["about"] = o.monitor;
   std::vector<Json> all;
   if (about_return(o)) {
-    constexpr std::int64_t begins_s =
-        30;  // no recovery of a fleet that fits its field takes longer
+    // no recovery of a fleet that fits its field takes longer to begin
+    constexpr std::int64_t begins_s = 30;
     const std::int64_t kept_s = o.patience_s + begins_s;
     about["return_within_s"] = kept_s;
     about["duration_s"] = 2 * kept_s + begins_s;

@@ -115,16 +115,7 @@ std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decis
   }
   const auto* others = std::get_if<sema::ForOthers>(&property.node);
   if (others != nullptr && others->universal) take(distance_asked(spec, decision, *others->body));
-  const auto* compare = std::get_if<sema::Compare>(&property.node);
-  if (compare == nullptr) return most;
-  using Op = sema::CompareOp;
-  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
-  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return most;
-  const auto sum = above ? difference(spec, *compare->left, *compare->right)
-                         : difference(spec, *compare->right, *compare->left);
-  if (!sum || sum->terms.size() != 1) return most;
-  const auto& [of, times] = *sum->terms.begin();
-  if (of.kind == Measured::Kind::distance && times > 0) take(Rational(-sum->least / times));
+  take(least_distance(spec, property));
   return most;
 }
 

@@ -321,17 +321,7 @@ std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e) {
     }
     return most;
   }
-  const auto* compare = std::get_if<sema::Compare>(&e.node);
-  if (compare == nullptr) return std::nullopt;
-  using Op = sema::CompareOp;
-  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
-  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return std::nullopt;
-  const auto sum = above ? difference(spec, *compare->left, *compare->right)
-                         : difference(spec, *compare->right, *compare->left);
-  if (!sum || sum->terms.size() != 1) return std::nullopt;
-  const auto& [of, by] = *sum->terms.begin();
-  if (of.kind != Measured::Kind::distance || by <= 0) return std::nullopt;
-  return Rational(-sum->least / by);
+  return least_distance(spec, e);
 }
 
 // Whether no other recovery than that of `m` may drive where `m` is engaged.

@@ -30,13 +30,7 @@ void tighten(std::optional<Rational>& limit, const Rational& to, bool from_above
 Limits limits_of(const sema::Spec& spec, const sema::Expr& property) {
   Limits all;
   for_each_conjunct(property, [&](const sema::Expr& e) {
-    const auto* compare = std::get_if<sema::Compare>(&e.node);
-    if (compare == nullptr) return;
-    using Op = sema::CompareOp;
-    const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
-    if (!above && compare->op != Op::less && compare->op != Op::less_equal) return;
-    const auto sum = above ? difference(spec, *compare->left, *compare->right)
-                           : difference(spec, *compare->right, *compare->left);
+    const auto sum = excess(spec, e);
     if (!sum) return;
     using Kind = Measured::Kind;
     const auto way = std::ranges::find_if(

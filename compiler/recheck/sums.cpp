@@ -109,6 +109,24 @@ std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
   return adding.sum();
 }
 
+std::optional<Sum> excess(const sema::Spec& spec, const sema::Expr& comparison) {
+  const auto* compare = std::get_if<sema::Compare>(&comparison.node);
+  if (compare == nullptr) return std::nullopt;
+  using Op = sema::CompareOp;
+  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return std::nullopt;
+  return above ? difference(spec, *compare->left, *compare->right)
+               : difference(spec, *compare->right, *compare->left);
+}
+
+std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison) {
+  const auto sum = excess(spec, comparison);
+  if (!sum || sum->terms.size() != 1) return std::nullopt;
+  const auto& [of, by] = *sum->terms.begin();
+  if (of.kind != Measured::Kind::distance || by <= 0) return std::nullopt;
+  return Rational(-sum->least / by);
+}
+
 std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison) {
   if (const auto* inside = std::get_if<sema::InsideZone>(&comparison.node)) {
     return Floor{inside->zone, 0, 0};

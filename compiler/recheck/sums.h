@@ -27,6 +27,12 @@ struct Sum {
 std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
                               const sema::Expr& small);
 
+// What a comparison asks to be 0 or more, or above it; nullopt: it is no such sum.
+std::optional<Sum> excess(const sema::Spec& spec, const sema::Expr& comparison);
+// The distance to another robot that a comparison asks for at least, whatever its parameters
+// become; none: it asks for something else.
+std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison);
+
 // What a comparison asks of the clearance of one zone, from below: the most that its parameters may
 // make of that, and the least. none: it asks for something else.
 struct Floor {
