@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
@@ -49,6 +50,7 @@ class Pair {
   // nullopt: it keeps the property.
   std::optional<Entry> broken() {
     if (!keeps(judged_.property, judged_.property.result)) return entry_;
+    if (decision_.coordinated && others_may_break(decision_, judged_)) return before_others();
     return std::nullopt;
   }
 
@@ -98,6 +100,14 @@ class Pair {
     entry_.help =
         quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
     return false;
+  }
+  // Every recovery stands still before others, who may come nearer all the same.
+  // Who coordinates leaves that to the recovery that the author has chosen for it.
+  Entry before_others() {
+    entry_.why = quoted(recovery_.name) + " is not the answer to others that come near";
+    entry_.help =
+        quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
+    return entry_;
   }
   // Who coordinates has to know who leads out.
   bool keeps_windows() {

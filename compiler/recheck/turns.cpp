@@ -27,9 +27,12 @@ class Turns {
       : spec_(spec), d_(d), part_(part), claims_(claims) {}
 
   // Recovery i is proved to keep monitor j, and not only because j ranks higher; or j ranks higher,
-  // and fails by its inputs alone.
+  // and fails by its inputs alone, or whoever drives, by agents alone.
   [[nodiscard]] bool keeps(std::size_t i, std::size_t j) const {
     if (shown_to_keep(spec_, d_, part_, monitor(i), monitor(j))) return true;
+    if (d_.coordinated && asks_agents_only(*monitor(j).always)) {
+      return !sema::templates_of(recovery(i)).empty();
+    }
     return !d_.coordinated && j < i &&
            Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra());
   }
@@ -93,6 +96,23 @@ class Turns {
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const { return spec_[d_.priority[k]]; }
   [[nodiscard]] const sema::Controller& recovery(std::size_t k) const {
     return spec_[*monitor(k).recover];
+  }
+  // Distances to agents, all of them, which templates keep where they move (rule 9.8).
+  static bool asks_agents_only(const sema::Expr& e) {
+    if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
+      return logic->op == sema::LogicOp::logical_and &&
+             std::ranges::all_of(logic->operands,
+                                 [](const auto& each) { return asks_agents_only(*each); });
+    }
+    if (!std::holds_alternative<sema::Compare>(e.node)) return false;
+    bool only = true;
+    sema::for_each_expr(e, [&](const sema::Expr& part) {
+      only = only && (std::holds_alternative<sema::Compare>(part.node) ||
+                      std::holds_alternative<sema::Arithmetic>(part.node) ||
+                      std::holds_alternative<sema::Constant>(part.node) ||
+                      std::holds_alternative<sema::AgentDistance>(part.node));
+    });
+    return only;
   }
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {

@@ -178,10 +178,33 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
 
 namespace {
 
+// Nothing but distances to agents, which every recovery of the module keeps where it moves.
+bool asks_agents_only(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return asks_agents_only(block, v->a) && asks_agents_only(block, v->b);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  return compare != nullptr &&
+         std::ranges::all_of(ir::linear_form(block, *compare).terms, [](const auto& term) {
+           return term.first.kind == ir::Leaf::Kind::agent;
+         });
+}
+// It fails by what agents do alone, as another one does by inputs.
+bool fails_by_agents(const Subject& s, std::size_t i, std::size_t j) {
+  const auto steps = ir::steps_of(s.decision.monitors[i].recovery);
+  const ir::Block& says = s.decision.monitors[j].property;
+  return s.decision.coordinated && asks_agents_only(says, says.result) &&
+         std::ranges::none_of(steps, [](const ir::Recovery* step) {
+           return step->kind == ir::RecoveryKind::external;
+         });
+}
+
 // Whether it is proved, or fails by what inputs say alone: as little as a monitor of inputs fails
 // because of who drives. Its recovery holds the robot until they let it go on.
 bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::size_t j) {
   if (entry.while_told && atoms_of(s.decision.monitors[j].property).only_speed()) return true;
+  if (fails_by_agents(s, i, j)) return true;
   if (entry.keeping != analysis::Keeping::kept) return false;
   const Obligation kept = keeps_others(s, entry, i, j);
   // who has to take over is not kept

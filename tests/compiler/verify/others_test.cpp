@@ -76,7 +76,6 @@ TEST_F(Others, WhatTheyMayBreakNoRecoveryKeepsThatRanksHigher) {
   EXPECT_EQ(
       status(edited(carts_with(slow, low), " hold when violated \"people look after it\";", "")),
       "unknown");
-  EXPECT_EQ(status(carts_with(company, "coordinate others > fence;" + stops)), "unknown");
   EXPECT_EQ(status(carts_with(company, "priority fence > others;" + stops +
                                            " acknowledge back may break others \"so may it\";")),
             "acknowledged");
@@ -90,6 +89,18 @@ TEST_F(Others, NobodyKeepsAnAgentOff) {
   text = edited(text, " hold when violated \"people look after it\";", "");
   EXPECT_EQ(status(text), "unknown");
   EXPECT_EQ(status(edited(text, "fence > others", "others > fence")), "proved");
+  // who coordinates has its own recovery drive then, wherever it ranks
+  text = edited(text, "priority", "coordinate");
+  EXPECT_EQ(status(text), "proved");
+  const Outcome all = verified(text, {"-o", "certificates"});
+  EXPECT_EQ(all.status, exit_clean) << all.out << all.err;
+  const Outcome again = recheck();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+TEST_F(Others, WhoCoordinatesTakesNobodyForAsGood) {
+  EXPECT_EQ(status(carts_with(company, "coordinate others > fence;" + stops)), "proved");
+  const Outcome again = recheck();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 TEST_F(Others, WhatTheyMayBreakIsAnsweredByAMonitorThatRanksHigher) {
   EXPECT_EQ(status(carts_with(company, "priority others > fence;" + stops)), "proved");
