@@ -49,7 +49,12 @@ class Pair {
 
   // nullopt: it keeps the property.
   std::optional<Entry> broken() {
-    if (!keeps(judged_.property, judged_.property.result)) return entry_;
+    const ir::Block& says = judged_.property;
+    const bool heard = decision_.coordinated && speaks_of_inputs(says, says.result);
+    if (!keeps(says, says.result) || (heard && !answers_to_inputs())) {
+      entry_.answered = decision_.coordinated && is_answered();
+      return entry_;
+    }
     if (decision_.coordinated && others_may_break(decision_, judged_)) return before_others();
     return std::nullopt;
   }
@@ -76,21 +81,42 @@ class Pair {
     // cannot be looked ahead, which is refused (5006).
     return !decision_.coordinated || std::holds_alternative<ir::Truth>(op) || answers_to_inputs();
   }
+  [[nodiscard]] Pace pace(const ir::Block& block, ir::ValueId id) {
+    return pace_of(block, id, fastest_while_driving(decision_, drives_),
+                   fastest_from_rest(decision_, judged_.lookahead.duration_us),
+                   [&](const ir::Block& b, const ir::AtLeast& compare) {
+                     return keeps_comparison(b, compare);
+                   });
+  }
+  [[nodiscard]] bool is_answered() {
+    const Entry found = entry_;
+    const bool answered = pace(judged_.property, judged_.property.result) != Pace::broken;
+    entry_ = found;
+    return answered;
+  }
   // `estop implies d.speed <= c`: the brake of who takes over is the answer to the input.
   bool too_fast_while_told(const ir::Block& block, ir::ValueId id) {
+    if (pace(block, id) != Pace::while_told) return false;
     const std::int64_t mmps = fastest_while_driving(decision_, drives_);
-    const Pace pace =
-        pace_of(block, id, mmps, fastest_from_rest(decision_, judged_.lookahead.duration_us),
-                [&](const ir::Block& b, const ir::AtLeast& compare) {
-                  return keeps_comparison(b, compare);
-                });
-    if (pace != Pace::while_told) return false;
     entry_.why = quoted(recovery_.name) + " drives at up to " +
                  to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s, and the inputs of " +
                  quoted(judged_.name) + " may allow less";
     entry_.help.clear();
     entry_.while_told = true;
     return true;
+  }
+  // Perhaps of one side of it alone, where the recovery keeps another one.
+  static bool speaks_of_inputs(const ir::Block& block, ir::ValueId id) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::Not>(&op)) return speaks_of_inputs(block, v->a);
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return speaks_of_inputs(block, v->a) || speaks_of_inputs(block, v->b);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return speaks_of_inputs(block, v->a) || speaks_of_inputs(block, v->b);
+    }
+    if (const ir::Block* body = ir::body_of(op)) return speaks_of_inputs(*body, body->result);
+    return told(block, id);
   }
   // No recovery makes an input true again, and none makes it false. But its own one is the answer
   // to it, and whoever coordinates must not take another one for as good.
@@ -107,6 +133,7 @@ class Pair {
     entry_.why = quoted(recovery_.name) + " is not the answer to others that come near";
     entry_.help =
         quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
+    entry_.answered = is_answered();
     return entry_;
   }
   // Who coordinates has to know who leads out.

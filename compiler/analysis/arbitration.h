@@ -40,6 +40,9 @@ struct Entry {
   // It is guarded as inputs may ask for less speed than the recovery has (paces.h), and kept while
   // they do not.
   bool while_told = false;
+  // Of what is coordinated: inputs and others alone break it, to which its own recovery is the
+  // answer.
+  bool answered = false;
   // It is broken by a recovery that takes charge for as long as nobody else lets it end.
   bool unending = false;
 };

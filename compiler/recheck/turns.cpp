@@ -26,14 +26,14 @@ class Turns {
   Turns(const sema::Spec& spec, const sema::Decision& d, const Part& part, Claims& claims)
       : spec_(spec), d_(d), part_(part), claims_(claims) {}
 
-  // Recovery i is proved to keep monitor j, and not only because j ranks higher; or j ranks higher,
-  // and fails by its inputs alone, or whoever drives, by agents alone.
+  // Recovery i is proved to keep monitor j, and not only because j ranks higher; or it fails by its
+  // inputs or by agents alone, whose answer is its own recovery, which drives then or need not.
   [[nodiscard]] bool keeps(std::size_t i, std::size_t j) const {
     if (shown_to_keep(spec_, d_, part_, monitor(i), monitor(j))) return true;
     if (d_.coordinated && asks_agents_only(*monitor(j).always)) {
       return !sema::templates_of(recovery(i)).empty();
     }
-    return !d_.coordinated && j < i &&
+    return (d_.coordinated || j < i || accepts(i, j)) &&
            Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra());
   }
 

@@ -190,11 +190,16 @@ bool asks_agents_only(const ir::Block& block, ir::ValueId id) {
            return term.first.kind == ir::Leaf::Kind::agent;
          });
 }
-// It fails by what agents do alone, as another one does by inputs.
-bool fails_by_agents(const Subject& s, std::size_t i, std::size_t j) {
-  const auto steps = ir::steps_of(s.decision.monitors[i].recovery);
+// Of a pair that is coordinated: inputs and agents alone break it, and let go at some time. That is
+// no doing of another recovery than the one that is the answer to them.
+bool is_left_to_its_answer(const Subject& s, const analysis::Entry& entry, std::size_t i,
+                           std::size_t j) {
+  if (!entry.answered) return false;
   const ir::Block& says = s.decision.monitors[j].property;
-  return s.decision.coordinated && asks_agents_only(says, says.result) &&
+  const Atoms atoms = atoms_of(says);
+  if (atoms.only_facts() || atoms.only_speed()) return true;
+  const auto steps = ir::steps_of(s.decision.monitors[i].recovery);
+  return asks_agents_only(says, says.result) &&
          std::ranges::none_of(steps, [](const ir::Recovery* step) {
            return step->kind == ir::RecoveryKind::external;
          });
@@ -204,7 +209,7 @@ bool fails_by_agents(const Subject& s, std::size_t i, std::size_t j) {
 // because of who drives. Its recovery holds the robot until they let it go on.
 bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::size_t j) {
   if (entry.while_told && atoms_of(s.decision.monitors[j].property).only_speed()) return true;
-  if (fails_by_agents(s, i, j)) return true;
+  if (is_left_to_its_answer(s, entry, i, j)) return true;
   if (entry.keeping != analysis::Keeping::kept) return false;
   const Obligation kept = keeps_others(s, entry, i, j);
   // who has to take over is not kept

@@ -55,6 +55,16 @@ TEST_F(Told, NobodyLooksAfterAnEmergencyStopThatRanksLower) {
             std::string::npos)
       << o.err;
   EXPECT_NE(o.err.find("`priority told > fence;` works"), std::string::npos) << o.err;
+  // what somebody accepts is no turn that recoveries take for ever: inputs let go
+  const std::string accepts = "fence > told; acknowledge back may break told \"so slow\"";
+  expect_proved(yard_with(halts, "0.3 m/s", accepts));
+}
+TEST_F(Told, AnEmergencyStopIsItsOwnAnswerWhereverWhoCoordinatesRanksIt) {
+  for (const char* const order : {"told > fence", "fence > told"}) {
+    for (const char* const speed : {"0.3 m/s", "0.04 m/s"}) {
+      expect_proved(edited(yard_with(halts, speed, order), "priority", "coordinate"));
+    }
+  }
 }
 
 // Inputs ask for it wherever the robot is, and stay as they are in a run: a place tells.
