@@ -327,6 +327,26 @@ void repair_together(Report& report) {
   }
 }
 
+// What no sample shows to hold is never given back either, for which more is needed: there is one
+// number for both, and it has been tried on the whole specification.
+void repair_unseen(const sema::Spec& spec, const std::vector<diag::Diagnostic>& found,
+                   Report& report) {
+  const auto never_given_back = [](const diag::Diagnostic& d) {
+    return d.code == Code::speed_limit_unkept ||
+           (d.code == Code::return_set_empty && !analysis::is_apart_for_ever(d));
+  };
+  for (Decision& decision : report.decisions) {
+    for (Obligation& o : decision.obligations) {
+      if (o.kind != Kind::satisfiable || o.status == Status::proved) continue;
+      const auto m = std::ranges::find(spec.monitors, o.monitor, &sema::Monitor::name);
+      const auto tried = std::ranges::find_if(found, [&](const diag::Diagnostic& d) {
+        return m != spec.monitors.end() && never_given_back(d) && is_about(d, *m);
+      });
+      if (tried != found.end()) o.repair = tried->help;
+    }
+  }
+}
+
 template <class Visit>
 void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
                       const Visit& visit) {
@@ -431,6 +451,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
   }
   repair_together(report);
+  repair_unseen(spec, found, report);
   drop_own(spec, report);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {

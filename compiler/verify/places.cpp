@@ -231,8 +231,7 @@ std::optional<Obligation> too_narrow_to_see(const Subject& s, const std::vector<
     return not_seen(o, never, "geometry",
                     "the widest place of " + quoted(table.name) + " is " + metres(table.widest_mm) +
                         " from its boundary, and " + metres(need.clearance_mm) +
-                        " are sure to be seen",
-                    "a place " + metres(need.clearance_mm) + " from the boundary works");
+                        " are sure to be seen");
   }
   return std::nullopt;
 }
@@ -274,8 +273,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   if ((together.size() > 1 || chosen) && !common) {
     return not_seen(std::move(o), !chosen && share_nothing(s, together), "geometry",
                     "no place is so clear of the boundaries of all of its zones that this is "
-                    "seen, whatever the errors",
-                    "zones that share more room work");
+                    "seen, whatever the errors");
   }
   if (chosen) {
     for (const Need& need : together) add_need(needs, need);

@@ -112,8 +112,9 @@ Obligation legs_back(const Subject& s, std::size_t k);
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
                      const ir::Block& block, const ir::AtLeast& limit);
 
-// Of `o`: no state is seen to have it, which `how` shows, or none was found.
-Obligation not_seen(Obligation o, bool never, const char* how, std::string why, std::string repair);
+// Of `o`: no state is seen to have it, which `how` shows, or none was found. `why` has the numbers
+// that are there and needed: what works is known where more is asked for, to give control back.
+Obligation not_seen(Obligation o, bool never, const char* how, std::string why);
 // Of `o`, that the property can be seen to hold: what keeps a limit of speed, height or charge from
 // being seen to be kept in any state. none: nothing does.
 std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,

@@ -52,12 +52,10 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
 
 }  // namespace
 
-Obligation not_seen(Obligation o, bool never, const char* how, std::string why,
-                    std::string repair) {
+Obligation not_seen(Obligation o, bool never, const char* how, std::string why) {
   o.status = never ? Status::refuted : Status::unknown;
   o.method = never ? how : "no proof";
   o.because = std::move(why);
-  o.repair = std::move(repair);
   o.claims.clear();
   return o;
 }
@@ -72,11 +70,9 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
   if (limits.most_mmps) {
     const std::int64_t shown = analysis::shown_speed_mmps(s.decision, any);
     if (*limits.most_mmps < shown) {
-      return not_seen(
-          o, *limits.most_mmps < body.velocity_error_mmps, by_errors,
-          "a robot at rest may be seen as fast as " +
-              to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s",
-          "a limit of " + to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s works");
+      return not_seen(o, *limits.most_mmps < body.velocity_error_mmps, by_errors,
+                      "a robot at rest may be seen as fast as " +
+                          to_decimal(Rational(static_cast<long>(shown)) / 1000) + " m/s");
     }
   }
   if (limits.least_ppm || limits.spare_ppm) {
@@ -84,10 +80,8 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
     const std::int64_t asked = std::max(limits.least_ppm.value_or(0), limits.spare_ppm.value_or(0));
     if (asked > shown) {
       const std::string percent = to_decimal(Rational(static_cast<long>(shown)) / 10'000) + " %";
-      const bool whole = asked == limits.least_ppm.value_or(0);  // nothing for a way
       return not_seen(o, asked > 1'000'000 - body.battery_error_ppm, by_errors,
-                      "a full battery is sure to be seen with " + percent,
-                      whole ? "a limit of " + percent + " works" : "");
+                      "a full battery is sure to be seen with " + percent);
     }
   }
   const std::int64_t room_mm = limits.high_mm - limits.low_mm;
@@ -96,8 +90,7 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
   if (room_mm < needs_mm) {
     return not_seen(o, room_mm < 2 * body.position_error_mm, by_errors,
                     "its limits of height leave " + metres(std::max<std::int64_t>(room_mm, 0)) +
-                        ", and a height is seen within " + metres(needs_mm),
-                    "limits that are " + metres(needs_mm) + " apart work");
+                        ", and a height is seen within " + metres(needs_mm));
   }
   return std::nullopt;
 }

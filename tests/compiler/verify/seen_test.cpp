@@ -85,6 +85,27 @@ TEST_F(Seen, ErrorsHideLimits) {
   EXPECT_EQ(charged("99.8 %"), "refuted");
 }
 
+// To be seen takes less than to be given back, and what is offered for the one works for both.
+TEST_F(Seen, OneNumberIsOfferedForBoth) {
+  const auto repairs = [](const std::string& text) {
+    std::vector<std::string> all;
+    const Json report = Json::parse(verified(text, {"--format", "json"}).out);
+    for (const Json& of : report["decisions"][0]["obligations"]) {
+      const std::string kind = of["obligation"];
+      const bool told = kind == "satisfiable" || kind == "P2a";
+      if (told && of.value("monitor", "") == "m") all.push_back(of.value("repair", ""));
+    }
+    return all;
+  };
+  const auto slow = [](const std::string& mps) {
+    return edited(cart_with("r.speed <= " + mps, false), "acknowledge stop may break m \"a test\";",
+                  "");
+  };
+  EXPECT_EQ(repairs(slow("0.01 m/s")), (std::vector<std::string>(2, "a limit of 0.289 m/s works")));
+  EXPECT_EQ(repairs(slow("0.289 m/s")), (std::vector<std::string>(2)));
+  EXPECT_EQ(status_of(slow("0.289 m/s")), "proved");
+}
+
 // Each side of an `or`, of all monitors, at one place.
 TEST_F(Seen, ControlIsGivenBackOnOneSideOfEachOr) {
   const auto joint = [](const std::string& always) {
