@@ -241,14 +241,8 @@ class Pair {
     entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
                  name_as_written(module_[step.zone]) + ", where " + quoted(recovery_.name) +
                  " may drive, lie outside " + name;
-    if (leads_inside(fence)) {
-      entry_.help = "a way to " + quoted(module_[ir::last_step(recovery_).site].name) + " within " +
-                    name + " works, as far as the charge pays for it";
-    } else if (would_do(fence) && !(step.claims && beyond_mm.value_or(0) > touching_mm)) {
-      entry_.help = "a recovery within " + name + " works";
-    } else {
-      offer_shared(step.zone, fence, beyond_mm);
-    }
+    offer_within(step.zone, fence);
+    offer_shared(step.zone, fence, beyond_mm);
     return false;
   }
   // From outside of its zone; what only claims to stay there is braked instead.
@@ -259,9 +253,7 @@ class Pair {
                  quoted(recovery_.name) + " makes straight for it, and may leave " + name +
                  " on its way, which is not convex";
     entry_.help.clear();
-    if (!module_[fence].has_height() && would_do(fence)) {
-      entry_.help = "a recovery within " + name + " works: it finds its ways inside";
-    }
+    offer_within(step.zone, fence);
     return false;
   }
   // Of an `or` a side holds as long as it is in its zone; from outside it might cross a seam.
@@ -292,100 +284,24 @@ class Pair {
     offer_shared(step.zone, fence, beyond_mm);
     return false;
   }
+  void offer_within(ir::ZoneIndex zone, ir::ZoneIndex fence) {
+    if (module_[fence].name.starts_with("outside_of_")) return;  // without an end
+    const ir::Recovery& last = ir::last_step(recovery_);
+    const std::string name = name_as_written(module_[fence]);
+    entry_.within.push_back({last.kind == ir::RecoveryKind::route
+                                 ? "a way to " + quoted(module_[last.site].name) + " within " + name
+                                 : "a recovery within " + name,
+                             zone,
+                             {{{fence}}}});
+  }
   // A zone within both, as far off the fence as is asked.
   void offer_shared(ir::ZoneIndex zone, ir::ZoneIndex fence,
                     std::optional<std::int64_t> beyond_mm) {
-    if (!beyond_mm) return;
-    const std::string shared = deep_text(module_, zone, {fence, *beyond_mm});
-    if (!shared.empty() && deep_would_do(zone, {fence, *beyond_mm})) {
-      entry_.help = "a recovery within a zone that is `" + shared + "` works";
-    }
-  }
-  // What is left of a zone so far off the fence lies in both, so that a recovery within that keeps
-  // all that it has kept: if it leads straight in, and has a place to return to.
-  [[nodiscard]] bool deep_would_do(ir::ZoneIndex zone, const Standoff& fence) const {
-    if (module_[zone].has_height() || module_[fence.zone].has_height()) return false;
-    const auto deep = within(exact_(fence.zone), fence.mm);
-    const ir::Recovery& last = ir::last_step(recovery_);
-    if (last.kind == ir::RecoveryKind::route || recovery_.claims) return false;
-    // the standoff is part of that, and is none of what is left
-    const bool less = !driving_.return_when && is_only_standoff(fence.zone);
-    const std::int64_t back_mm =
-        last.return_clearance_mm - (less ? standoff_mm(decision_, last) : 0);
-    const auto shared = deep ? std::optional(exact_(zone).intersect(*deep)) : std::nullopt;
-    return shared && leaves_room(*shared) && suits(*shared, back_mm);
-  }
-  // What its own monitors ask for beyond touching the boundary of their zones, which it kept as
-  // long as it moved within one of them, what is left of that keeps as well (5016).
-  [[nodiscard]] bool leaves_room(const geometry::Region& shared) const {
-    return std::ranges::all_of(decision_.monitors, [&](const ir::Monitor& m) {
-      if (m.recovery.name != recovery_.name) return true;
-      const auto asked = fence_standoffs(m.property, decision_.facts.params);
-      return std::ranges::all_of(asked, [&](const Standoff& each) {
-        if (each.mm <= touching_mm) return true;
-        const auto deep = within(exact_(each.zone), each.mm);
-        return deep && deep->contains(shared);
-      });
-    });
-  }
-  [[nodiscard]] bool is_only_standoff(ir::ZoneIndex fence) const {
-    return std::ranges::all_of(decision_.monitors, [&](const ir::Monitor& m) {
-      return std::ranges::all_of(
-          fence_standoffs(m.property, decision_.facts.params),
-          [&](const Standoff& each) { return each.mm <= 0 || each.zone == fence; });
-    });
-  }
-
-  // It would lie in all that the monitors keep the robot in which it recovers for, lead straight in
-  // from the rest of that, have a place to return to, and keep what it keeps of others.
-  [[nodiscard]] bool would_do(ir::ZoneIndex fence) const {
-    const auto& params = decision_.facts.params;
-    const ir::Recovery& last = ir::last_step(recovery_);
-    if (last.kind == ir::RecoveryKind::route) return false;
-    if (module_[fence].widest_mm < last.return_clearance_mm) return false;
-    const auto leads_in = [&](ir::ZoneIndex zone) {
-      return zone == fence || (is_convex(exact_(zone)) && exact_(zone).contains(exact_(fence)));
-    };
-    const auto holds = [&](ir::ZoneIndex zone) {
-      return zone == fence || exact_(zone).contains(exact_(fence));
-    };
-    return std::all_of(
-        decision_.monitors.begin(), decision_.monitors.end(), [&](const ir::Monitor& m) {
-          const auto own = fences_of(m.property, params);
-          if (!choices_of(m.property, params).empty()) return false;
-          return m.recovery.name == recovery_.name ? std::ranges::all_of(own, leads_in)
-                                                   : std::ranges::all_of(own, holds);
-        });
-  }
-  // A way to a site that lies in the fence, as deep as control returns at.
-  [[nodiscard]] bool leads_inside(ir::ZoneIndex fence) const {
-    const ir::Recovery& last = ir::last_step(recovery_);
-    if (last.kind != ir::RecoveryKind::route || module_[fence].name.starts_with("outside_of_")) {
-      return false;
-    }
-    const auto deep = within(exact_(fence), last.return_clearance_mm + 1);
-    if (!deep || !exact_(*moves_within(last)).contains(exact_(fence))) return false;
-    const auto& places = module_[last.site].places;
-    return std::all_of(places.begin(), places.end(), [&](const ir::SiteTable::Place& p) {
-      return deep->contains(
-          geometry::Point{Rational(Rational(p.x_mm) / 1000), Rational(Rational(p.y_mm) / 1000)});
-    });
-  }
-  // In one part, with a place to return to, and straight ways in from all that its monitors allow.
-  [[nodiscard]] bool suits(const geometry::Region& shared, std::int64_t return_mm) const {
-    const auto returns = within(shared, return_mm + 1);
-    if (!returns || returns->empty()) return false;
-    if (shared.polygons().size() != 1) return false;
-    const auto& params = decision_.facts.params;
-    return std::all_of(decision_.monitors.begin(), decision_.monitors.end(),
-                       [&](const ir::Monitor& m) {
-                         if (m.recovery.name != recovery_.name) return true;
-                         const auto own = fences_of(m.property, params);
-                         return choices_of(m.property, params).empty() &&
-                                std::ranges::all_of(own, [&](ir::ZoneIndex each) {
-                                  return is_convex(exact_(each)) && exact_(each).contains(shared);
-                                });
-                       });
+    const std::string shared = beyond_mm ? deep_text(module_, zone, {fence, *beyond_mm}) : "";
+    if (shared.empty()) return;
+    entry_.within.push_back({"a recovery within a zone that is `" + shared + "`",
+                             zone,
+                             {{{fence}, std::max<std::int64_t>(*beyond_mm, 0)}, {{zone}}}});
   }
   // Straight down from anywhere in it: what is in a slab is in the one below, down to where a
   // landing ends. Whatever else is not shown.
@@ -428,7 +344,7 @@ class Pair {
     } else {
       entry_.why = "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " " + part;
     }
-    entry_.help = "a recovery within " + outside + " works";
+    offer_within(zone, fence);
     return false;
   }
   // Some height of the fence at which it does not contain the zone of the plane.

@@ -10,6 +10,7 @@
 
 #include "compiler/analysis/recoveries.h"
 #include "compiler/analysis/recoveries_in_space.h"
+#include "compiler/analysis/zone_trials.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
@@ -29,11 +30,18 @@ struct Change {
   std::vector<std::size_t> order{}, without_return{};
   std::optional<Rational> held{}, detour{};
 };
+// That the recovery moves in what all of `parts` have in common instead of `from`.
+struct Within {
+  std::string help;
+  ir::ZoneIndex from{};
+  std::vector<ZonePart> parts;
+};
 struct Entry {
   Keeping keeping = Keeping::kept;
   std::string why;                 // in words, with numbers
   std::string help;                // of what is broken: what would work
   std::optional<Change> change{};  // what that is, to be tried before it is offered
+  std::vector<Within> within{};    // or one of these, in that order
   // Of what is broken under `coordinate`: monitors, the first of them this one, the last one for
   // the second time. The recovery of each does not keep the next.
   std::vector<std::size_t> conflict{};
@@ -80,6 +88,7 @@ using Try = std::function<Tried(std::size_t decision, const Change&)>;
 // 6005: a recovery that breaks what a monitor says and that nobody else keeps, unless that is
 // acknowledged.
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       const ExactSolid& solid, const Try& attempt, diag::Engine& diagnostics);
+                       const ExactSolid& solid, const Try& attempt, Trials* trials,
+                       diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -57,20 +57,22 @@ struct Breach {
 
 class Report {
  public:
-  Report(const sema::Spec& spec, std::size_t n, const ir::Decision& decision, Arbitration all,
-         const Try& attempt, diag::Engine& diagnostics)
+  Report(const sema::Spec& spec, std::size_t n, const ir::Module& module, Arbitration all,
+         const Try& attempt, Trials* trials, diag::Engine& diagnostics)
       : spec_(spec),
         n_(n),
         from_(spec.decisions[n]),
-        decision_(decision),
+        module_(module),
+        decision_(module.decisions[n]),
         all_(std::move(all)),
         attempt_(attempt),
+        trials_(trials),
         diagnostics_(diagnostics) {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       Breach breach{i, {}};
       for (std::size_t j = 0; j < all_.size(); ++j) {
-        const bool accepted = ir::acknowledged(decision, decision.monitors[i].recovery.name,
-                                               decision.monitors[j].name);
+        const bool accepted = ir::acknowledged(decision_, decision_.monitors[i].recovery.name,
+                                               decision_.monitors[j].name);
         if (all_[i][j].keeping == Keeping::broken && !accepted) breach.monitors.push_back(j);
       }
       if (!breach.monitors.empty()) breaches_.push_back(std::move(breach));
@@ -129,6 +131,7 @@ class Report {
     const bool all = std::ranges::all_of(breach.monitors,
                                          [&](std::size_t j) { return row[j].help == first.help; });
     if (all && (!first.change || works(*first.change, found, at))) offer(first.help);
+    offer(elsewhere(breach, found[at]));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
       accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") +
@@ -136,6 +139,20 @@ class Report {
                   " \"why\";`";
     }
     offer(accepted);
+  }
+  // The first zone for the recovery with which it breaks none of them.
+  [[nodiscard]] std::string elsewhere(const Breach& breach, const diag::Diagnostic& of) const {
+    if (trials_ == nullptr) return "";  // nobody reads it
+    const std::string& recovery = decision_.monitors[breach.recovery].recovery.name;
+    const SourceRange& own = spec_[from_.priority[breach.recovery]].range;
+    for (const std::size_t j : breach.monitors) {
+      for (const Within& each : all_[breach.recovery][j].within) {
+        const auto works = works_within(*trials_, fault_of(of.code, of.range), own, recovery,
+                                        module_, each.from, each.parts);
+        if (works.value_or(false)) return each.help + " works";
+      }
+    }
+    return "";
   }
   // Nothing is wrong with it then that is not wrong now, this is not, and of another order nobody
   // waits above others for what may never come about.
@@ -157,9 +174,11 @@ class Report {
   const sema::Spec& spec_;
   const std::size_t n_;
   const sema::Decision& from_;
+  const ir::Module& module_;
   const ir::Decision& decision_;
   const Arbitration all_;
   const Try& attempt_;
+  Trials* trials_;
   diag::Engine& diagnostics_;
   std::vector<Breach> breaches_;
 };
@@ -167,12 +186,13 @@ class Report {
 }  // namespace
 
 void check_arbitration(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                       const ExactSolid& solid, const Try& attempt, diag::Engine& diagnostics) {
+                       const ExactSolid& solid, const Try& attempt, Trials* trials,
+                       diag::Engine& diagnostics) {
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const ir::Decision& decision = module.decisions[n];
     if (decision.on_plan) continue;
     const sema::RobotKind& kind = spec[spec.decisions[n].kind];
-    Report(spec, n, decision, arbitration_of(kind, module, decision, exact, solid), attempt,
+    Report(spec, n, module, arbitration_of(kind, module, decision, exact, solid), attempt, trials,
            diagnostics)
         .run();
   }

@@ -98,7 +98,7 @@ class Deriver {
     // Whatever it says, the module can be built, and passes look at the rest.
     coordinate(spec_, out_.module, exact, solid);
     const Try attempt = [this](std::size_t n, const Change& change) { return tried(n, change); };
-    check_arbitration(spec_, out_.module, exact, solid, attempt, diagnostics_);
+    check_arbitration(spec_, out_.module, exact, solid, attempt, trials(), diagnostics_);
     check_acknowledgements(spec_, out_.module, exact, solid, lies_, diagnostics_);
     return std::move(out_);
   }

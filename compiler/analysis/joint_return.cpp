@@ -8,6 +8,8 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/repairs.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -17,6 +19,10 @@ using geometry::Region;
 
 // What offsets of regions round, in mm (geometry/region.h, `offset_excess_um`).
 constexpr std::int64_t rounded_mm = 1;
+
+// So many times the clearance that is needed: who has zones that are farther off means another
+// place.
+constexpr std::int64_t grown_most = 4;
 
 // In the message, and in that of no other report of its code.
 constexpr const char* together = " can never hand control back together with ";
@@ -59,12 +65,21 @@ class Joint {
   }
 
  private:
+  // A zone that is so much wider on every side.
+  struct Grown {
+    ir::ZoneIndex zone;
+    std::int64_t by_mm;
+  };
   // Of the first `count` zones, the places that are so far within each of them.
-  [[nodiscard]] Region common(std::size_t count, std::int64_t clearance_mm) const {
+  [[nodiscard]] Region common(std::size_t count, std::int64_t clearance_mm,
+                              const std::optional<Grown>& grown = {}) const {
     Region all = Region::everywhere();
     for (std::size_t i = 0; i < count && !all.empty(); ++i) {
       const Region& zone = exact_(fences_[i].zone);
-      all = all.intersect(within(zone, clearance_mm + fences_[i].standoff_mm).value_or(zone));
+      const std::int64_t off_mm = clearance_mm + fences_[i].standoff_mm;
+      const bool wider = grown && grown->zone == fences_[i].zone;
+      const Region from = wider ? zone.grow(metres_of(grown->by_mm)) : zone;
+      all = all.intersect(within(from, off_mm).value_or(from));
     }
     return all;
   }
@@ -81,22 +96,44 @@ class Joint {
     d.code = diag::Code::return_set_empty;
     d.range = m.source;
     d.message = "monitor `" + m.name + "`" + together + others(count);
-    d.label = "no place in common has a clearance of " + metres(need_mm + rounded_mm);
-    if (low < 0) {
-      d.notes.push_back({std::nullopt, "nor any at all: they do not overlap so far"});
-      d.help = "zones that overlap by more than " + metres(2 * (need_mm + rounded_mm)) +
-               " in both directions work";
-      return d;
+    const std::string needed = metres(need_mm + rounded_mm);
+    d.label = "no place in common has a clearance of " + needed;
+    d.notes.push_back({std::nullopt, low < 0 ? "nor any at all: they do not overlap so far"
+                                             : "the widest place in common has a clearance of " +
+                                                   metres(low) + ", beyond what they ask for"});
+    const Fault fault = fault_of(d.code, d.range);
+    if (const auto wider = wider_zone(count, need_mm, fault)) d.help = *wider;
+    const auto numbers = repairs(of_.written, of_.trials, fault, [&](const Trial& t) {
+      return return_clearance_mm(t.decision, t.lookahead_us) <= low;
+    });
+    if (!numbers.empty()) d.help += (d.help.empty() ? "" : "; or ") + joined(numbers) + " works";
+    if (d.help.empty()) {
+      d.help = "zones that have a place in common with a clearance of " + needed + " are needed";
     }
-    d.notes.push_back({std::nullopt, "the widest place in common has a clearance of " +
-                                         metres(low) + ", beyond what they ask for"});
-    const auto numbers = repairs(
-        of_.written, of_.trials, fault_of(d.code, d.range),
-        [&](const Trial& t) { return return_clearance_mm(t.decision, t.lookahead_us) <= low; });
-    d.help = "zones that overlap by " + metres(2 * (need_mm + rounded_mm - low)) +
-             " more in both directions work" +
-             (numbers.empty() ? "" : "; or " + joined(numbers) + " works");
     return d;
+  }
+  // One of them, the last one first, that is so much wider that there is a place in common: by less
+  // than what is rounded it is not shown to be one (P2b, joint return).
+  [[nodiscard]] std::optional<std::string> wider_zone(std::size_t count, std::int64_t need_mm,
+                                                      const Fault& fault) const {
+    if (of_.trials == nullptr) return std::nullopt;  // nobody reads it
+    const std::int64_t most_mm = grown_most * (need_mm + rounded_mm);
+    for (std::size_t i = count; i-- > 0;) {
+      const ir::ZoneIndex zone = fences_[i].zone;
+      const auto none = [&](std::int64_t by_mm) {
+        return common(count, need_mm + rounded_mm, Grown{zone, by_mm}).empty();
+      };
+      std::int64_t low = 0, high = most_mm;
+      if (none(high)) continue;
+      while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (none(middle) ? low : high) = middle;
+      }
+      auto works = growth_that_works(*of_.trials, of_.module[zone].name, exact_(zone), high,
+                                     most_mm, fault, high);
+      if (works) return works;
+    }
+    return std::nullopt;
   }
   [[nodiscard]] std::string others(std::size_t count) const {
     std::vector<std::string> names;

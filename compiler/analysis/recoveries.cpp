@@ -342,28 +342,21 @@ class Recoveries {
                                 const ir::Cells& cells) {
       return leads(ways_over(edges, cells, module_, decision_, last));
     };
-    d.help = grown(last, over_cells, leads_back).value_or("widen it") +
+    d.help = grown(last, d, over_cells, leads_back).value_or("widen it") +
              ", or join it to a wider part, or take it out of the zone";
     diagnostics_.report(std::move(d));
   }
-  // With how much more on every side `fits` holds.
-  std::optional<std::string> grown(const ir::Recovery& last, const FitsZone& fits,
-                                   const FitsZone& whole = {}) const {
+  // With how much more on every side it works, looked for from where `fits` holds.
+  std::optional<std::string> grown(const ir::Recovery& last, const diag::Diagnostic& of,
+                                   const FitsZone& fits, const FitsZone& whole = {}) const {
     if (trials_ == nullptr) return std::nullopt;  // nobody reads it
     const ir::ZoneTable& zone = module_[last.zone];
+    const geometry::Region& exact = exact_(last.zone);
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
-    const auto by_mm = widening_mm(exact_(last.zone), most_mm, fits, whole);
+    const auto by_mm = widening_mm(exact, most_mm, fits, whole);
     if (!by_mm) return std::nullopt;
-    // of a zone that is no zone of the property, too: as long as it lies in those
-    Rational by_m(static_cast<long>(*by_mm), 1000);
-    by_m.canonicalize();
-    const geometry::Region wider = exact_(last.zone).grow(by_m);
-    const auto fences = fences_of(monitor_.property, decision_.facts.params);
-    const bool fits_all = std::ranges::all_of(fences, [&](ir::ZoneIndex fence) {
-      return fence == last.zone || exact_(fence).contains(wider);
-    });
-    if (!fits_all) return std::nullopt;
-    return "`grow(" + zone.name + ", " + metres(*by_mm) + ")` in its place works";
+    return growth_that_works(*trials_, zone.name, exact, *by_mm, most_mm,
+                             fault_of(of.code, of.range));
   }
 
   // The advanced controller never drives there: what is too narrow for control to be given back is
@@ -382,12 +375,11 @@ class Recoveries {
       const auto left = narrow_parts(cells, body_mm, last.return_clearance_mm);
       return left.empty() || left.front().cells < stranded_cells_least;
     };
-    const std::int64_t cell_mm = zone.cells.cell_mm;
     d.help =
         "it is about " + metres(2 * parts.front().clearance_mm) + " wide there, as cells of " +
-        metres(cell_mm) + " tell; " +
-        grown(last, wide)
-            .value_or(metres(2 * (last.return_clearance_mm + cell_mm)) + " would be wide enough");
+        metres(zone.cells.cell_mm) + " tell; " +
+        grown(last, d, wide)
+            .value_or("control returns " + metres(last.return_clearance_mm) + " from the boundary");
     diagnostics_.report(std::move(d));
   }
 

@@ -10,6 +10,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/ways_in.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/support/words.h"
 
@@ -254,9 +255,21 @@ class Places {
                                          "` may lie in none of them alone" +
                                          some_place(body.subtract(allowed), allowed)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "zones that overlap by more than " + metres(overlap_mm) + " work";
+    d.help = wider_side(kept, overlap_mm, d.code)
+                 .value_or("zones are needed that overlap by about " + metres(overlap_mm));
     found_.push_back(std::move(d));
     return true;
+  }
+  // One of the zones of a choice, the last one first, that is so much wider.
+  std::optional<std::string> wider_side(const Kept& kept, std::int64_t overlap_mm,
+                                        diag::Code code) const {
+    if (trials_ == nullptr) return std::nullopt;  // nobody reads it
+    for (auto zone = kept.zones.rbegin(); zone != kept.zones.rend(); ++zone) {
+      auto works = growth_that_works(*trials_, module_[*zone].name, exact_(*zone), overlap_mm,
+                                     overlap_mm, fault_of(code, written_.recover_range));
+      if (works) return works;
+    }
+    return std::nullopt;
   }
 
   // From outside its zone a recovery makes straight for it, as it knows nothing of what lies
@@ -355,8 +368,8 @@ class Places {
     const std::int64_t back_mm = step.return_clearance_mm - kept_off_mm;
     const auto returns = within(all, back_mm);
     if (!inside) {
-      return "a choice of zones that overlap by more than " + metres(2 * keeps_mm) +
-             " works, with a recovery within their union";
+      return "a recovery within their union is needed, and zones that overlap by about " +
+             metres(2 * keeps_mm);
     }
     if (returns && returns->empty()) {
       return "no recovery works: no place of " + written() + " has a clearance of " +

@@ -202,7 +202,8 @@ class ReturnSet {
     const auto by_mm = over_cells ? widening_mm(exact_(place), wider_most_mm / 2, fits)
                                   : std::optional(missing_mm(*retreat_));
     if (!by_mm || *by_mm > wider_most_mm / 2) return "";
-    return growth_that_works(*of_.trials, zone.name, *by_mm, 2 * need_mm, fault).value_or("");
+    return growth_that_works(*of_.trials, zone.name, exact_(place), *by_mm, 2 * need_mm, fault)
+        .value_or("");
   }
   // Or one other number.
   std::string wider(const Fault& fault, const Fits& fits) const {

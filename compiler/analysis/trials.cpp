@@ -24,14 +24,21 @@ std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
   return all;
 }
 
-// A monitor and its recovery do not go together: where control returns, where it leads, how.
+// A monitor and its recovery do not go together: where control returns, where it leads.
 bool is_of_places(diag::Code code) {
-  return code == diag::Code::return_set_empty || code == diag::Code::recovery_elsewhere ||
-         code == diag::Code::no_way_back;
+  return code == diag::Code::return_set_empty || code == diag::Code::recovery_elsewhere;
 }
 
+// What may be meant so: a number may mend it, and is none the worse for it.
+bool is_remark(diag::Code code) {
+  return code == diag::Code::corridor_too_narrow || code == diag::Code::no_way_back;
+}
+std::ptrdiff_t wrong(const Faults& found) {
+  return std::ranges::count_if(found, [](const Fault& each) { return !is_remark(each.code); });
+}
 bool no_more(const Faults& found, const Faults& than) {
-  return std::ranges::includes(than, found);
+  return std::ranges::all_of(
+      found, [&](const Fault& each) { return is_remark(each.code) || than.contains(each); });
 }
 
 }  // namespace
@@ -44,7 +51,7 @@ Faults faults_of(const diag::Engine& diagnostics) {
   Faults all;
   for (const diag::Diagnostic& d : diagnostics.all()) {
     if (diag::info(d.code).severity == diag::Severity::error ||
-        d.code == diag::Code::monitor_vacuous) {
+        d.code == diag::Code::monitor_vacuous || is_remark(d.code)) {
       all.insert(fault_of(d.code, d.range));
     }
   }
@@ -88,18 +95,18 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   std::int64_t bad = dial.written, before = dial.written;
   for (const std::int64_t at : probes(guess, dial.far)) {
     const Faults* const found = with(dial, at);
-    if (mends(found, fault, all_of) && (!good || found->size() < left->size())) {
+    if (mends(found, fault, all_of) && (!good || wrong(*found) < wrong(*left))) {
       good = at;
       left = found;
       bad = before;
     }
-    if (good && left->empty()) break;
+    if (good && wrong(*left) == 0) break;
     before = at;
   }
   if (!good) return std::nullopt;
   const auto works = [&](std::int64_t at) {
     const Faults* const found = with(dial, at);
-    return found != nullptr && no_more(*found, *left);
+    return found != nullptr && !found->contains(fault) && no_more(*found, *left);
   };
   const std::int64_t next = *good + (bad > *good ? 1 : -1);
   if (next == bad || !works(next)) return good;  // most guesses are right

@@ -16,7 +16,8 @@
 
 namespace rtac::analysis {
 
-// An error, or a monitor that finds nothing, by its code and where it is.
+// An error, a monitor that finds nothing, or a place that nothing leads back from, by its code and
+// where it is.
 struct Fault {
   diag::Code code{};
   FileId file{};
@@ -48,8 +49,8 @@ class Trials {
   // The number nearest to the written one with which `fault` is gone, nothing is wrong that was
   // right, and no more is wrong than with others that are farther off: of several errors with one
   // cause it mends all, if any does. Looked for from `guess` on. none: none of those that were
-  // tried is such a one. `all_of`: nor is one with which an error of places (5007, 5016,
-  // 5020) is left that begins in there.
+  // tried is such a one. `all_of`: nor is one with which an error of places (5007, 5016)
+  // is left that begins in there.
   std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault,
                                       const std::optional<SourceRange>& all_of = {});
 

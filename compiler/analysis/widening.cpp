@@ -55,8 +55,9 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
 }
 
 std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
-                                             std::int64_t guess_mm, std::int64_t most_mm,
-                                             const Fault& fault) {
+                                             const geometry::Region& exact, std::int64_t guess_mm,
+                                             std::int64_t most_mm, const Fault& fault,
+                                             std::int64_t least_mm) {
   auto& zones = trials.spec().zones;
   const auto named = [&](const sema::Zone& z) { return !z.name.empty() && z.name == zone; };
   const auto found = std::ranges::find_if(zones, named);
@@ -78,8 +79,9 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
                     value = std::move(written);
                   },
                   true};
-  const auto by_mm = trials.nearest(dial, guess_mm, fault);
-  if (!by_mm) return std::nullopt;
+  auto by_mm = trials.nearest(dial, guess_mm, fault);
+  if (by_mm) by_mm = std::max(*by_mm, least_mm);
+  if (!by_mm || closes_a_gap(exact, *by_mm)) return std::nullopt;
   return "`grow(" + zone + ", " + metres(*by_mm) + ")` in its place works";
 }
 

@@ -25,11 +25,12 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
                                         const FitsZone& fits, const FitsZone& whole = {});
 
 // "`grow(yard, 0.2 m)` in its place works": the least growth of a zone that has a name with which
-// the whole specification has been tried, looked for from `guess_mm` to
-// `most_mm`. none: as of other numbers
-// (Trials::nearest).
+// the whole specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
+// `least_mm`, which is no more than the guess. none: as of other numbers (Trials::nearest), or what
+// the zone leaves out would be grown over.
 std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
-                                             std::int64_t guess_mm, std::int64_t most_mm,
-                                             const Fault& fault);
+                                             const geometry::Region& exact, std::int64_t guess_mm,
+                                             std::int64_t most_mm, const Fault& fault,
+                                             std::int64_t least_mm = 0);
 
 }  // namespace rtac::analysis

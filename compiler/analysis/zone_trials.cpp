@@ -21,12 +21,14 @@ class Writer {
   Writer(const sema::Spec& spec, const ir::Module& module, const SourceRange& range)
       : spec_(spec), module_(module), range_(range) {}
 
-  // Null: a part is not written anywhere, or all that there is lies outside of something.
+  // Null: a part is not written anywhere, or is one of several that have heights.
   ZoneExprPtr common(const std::vector<ZonePart>& parts) const {
-    ZoneExprPtr all, without;
+    if (!whole(parts) && has_height(parts)) return nullptr;
+    ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const ZonePart& part : parts) {
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
       if (hole) {
+        join(rest, ZoneOp::intersect, offset(make(sema::ZoneComplement{*hole}), -part.off_mm));
         join(without, ZoneOp::unite, offset(make(sema::ZoneRef{*hole}), part.off_mm));
         continue;
       }
@@ -38,16 +40,27 @@ class Writer {
       }
       join(all, ZoneOp::intersect, offset(std::move(some), -part.off_mm));
     }
-    if (all && without) join(all, ZoneOp::subtract, std::move(without));
+    if (!all) return rest;
+    if (without) join(all, ZoneOp::subtract, std::move(without));
     return all;
+  }
+  [[nodiscard]] bool has_height(const std::vector<ZonePart>& parts) const {
+    return std::ranges::any_of(parts, [&](const ZonePart& part) {
+      return std::ranges::any_of(part.either,
+                                 [&](ir::ZoneIndex zone) { return module_[zone].has_height(); });
+    });
   }
   std::optional<sema::ZoneId> named(const std::string& name) const {
     const auto found = std::ranges::find(spec_.zones, name, &sema::Zone::name);
-    if (name.empty() || found == spec_.zones.end() || found->has_height) return std::nullopt;
+    if (name.empty() || found == spec_.zones.end()) return std::nullopt;
     return sema::ZoneId(found - spec_.zones.begin());
   }
 
  private:
+  // A zone as it is.
+  static bool whole(const std::vector<ZonePart>& parts) {
+    return parts.size() == 1 && parts[0].either.size() == 1 && parts[0].off_mm == 0;
+  }
   template <class Node>
   ZoneExprPtr make(Node node) const {
     auto made = std::make_unique<ZoneExpr>();
@@ -81,9 +94,11 @@ std::optional<bool> works_within(Trials& trials, const Fault& fault, const Sourc
   const auto old = Writer(spec, module, {}).named(module[from].name);
   if (!old) return std::nullopt;
   const sema::Zone& moved_in = spec.zones[static_cast<std::size_t>(*old)];
-  ZoneExprPtr value = Writer(spec, module, moved_in.value->range).common(parts);
+  const Writer writer(spec, module, moved_in.value->range);
+  ZoneExprPtr value = writer.common(parts);
   if (!value) return std::nullopt;
-  sema::Zone zone{"", moved_in.name_range, std::move(value), moved_in.frame, false, {}};
+  sema::Zone zone{
+      "", moved_in.name_range, std::move(value), moved_in.frame, writer.has_height(parts), {}};
   std::string name;
   for (const ZonePart& part : parts) {
     for (const ir::ZoneIndex of : part.either) name += module[of].name + " ";

@@ -14,7 +14,7 @@ std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
   const ir::ZoneTable& zone = s.module[yield.zone];
   // one that holds in the middle, and the other between it and a wall
   const std::int64_t need_mm = yield.pass_gap_mm + yield.route_clearance_mm;
-  const std::string wide = "a width of " + metres(2 * need_mm) + " would do";
+  const std::string wide = "to get round one that holds in its middle takes " + metres(2 * need_mm);
   if (zone.widest_mm < need_mm) {
     return "robots that meet in " + quoted(zone.name) + " cannot get round each other: it is " +
            metres(2 * std::int64_t{zone.widest_mm}) + " wide at most, and " + wide;

@@ -85,7 +85,7 @@ std::string rests_beside_site(const Subject& s, const ir::Recovery& last) {
       continue;
     return quoted(last.name) + " may come to rest " + metres(s.decision.body.end_reach_mm) +
            " from " + quoted(s.module[last.site].name) + ", and control is given back there with " +
-           "a clearance of " + metres(last.return_clearance_mm);
+           "a clearance of " + metres(back_mm(s, last));
   }
   return "";
 }
@@ -198,11 +198,10 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
                 quoted(zone.name) + " no way over its cells leads to where control is given back";
     if (!fits) return o;
     // the part may be wide itself, and what leads out of it narrow
-    const std::int64_t wide_mm = 2 * (last.return_clearance_mm + zone.cells.cell_mm);
-    if (2 * part.clearance_mm < wide_mm) {
-      o.repair = metres(wide_mm) + " would be wide enough there; it has about " +
-                 metres(2 * part.clearance_mm) + ", as cells of " + metres(zone.cells.cell_mm) +
-                 " tell";
+    if (part.clearance_mm < last.return_clearance_mm + zone.cells.cell_mm) {
+      o.because += ": it is about " + metres(2 * part.clearance_mm) + " wide there, as cells of " +
+                   metres(zone.cells.cell_mm) + " tell, and control returns " +
+                   metres(last.return_clearance_mm) + " from the boundary";
     }
     return o;
   }
@@ -214,7 +213,6 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   if (const std::string off = rests_beside_site(s, last); !off.empty()) {
     o.status = Status::unknown;
     o.because = off;
-    o.repair = "a site with a clearance of " + metres(back_mm(s, last)) + " works";
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
@@ -488,7 +486,8 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   const std::string why = reason(s.decision, i.recovery.name, j.name);
   o.because = entry.why;
   if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
-  o.repair = entry.help;
+  o.repair = entry.help.empty() && !entry.within.empty() ? entry.within.front().help + " works"
+                                                         : entry.help;
   if (!why.empty()) return acknowledged(std::move(o), why);
   if (atoms_of(j.property).received) return o;  // that it happens is not shown either
   o.status = Status::refuted;

@@ -183,9 +183,6 @@ class Rest {
   std::optional<ir::ZoneIndex> high_;
 };
 
-// What is to spare of an overlap of zones for offsets that are rounded, twice on either side.
-constexpr std::int64_t overlap_spare_mm = 14;
-
 }  // namespace
 
 Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) {
@@ -216,9 +213,9 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
     o.because = "at rest at (" + metres(o.place_mm->first) + ", " + metres(o.place_mm->second) +
                 ") a robot is so clear of the boundary of " + quoted(s.module[last.zone].name) +
                 " that " + quoted(m.recovery.name) +
-                " leads no further, and not clear enough in any zone of the `or`";
-    o.repair = "zones that overlap by " + metres(2 * last.return_clearance_mm + overlap_spare_mm) +
-               " there work, or a recovery within one of them";
+                " leads no further, and in no zone of the `or` the " +
+                metres(last.return_clearance_mm) + " from its boundary where control returns";
+    o.repair = "zones that overlap more there, or a recovery within one of them";
     return o;
   }
   if (rest.high()) {

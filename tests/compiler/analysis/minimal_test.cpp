@@ -185,6 +185,17 @@ std::string grown(const About& a, const std::string& value) {
                             "$1grow($2, " + value + ");");
 }
 
+// The recovery in the zone that is offered, with another number in that.
+std::string moved_within(const About& a, const std::string& value) {
+  const std::string zone = first_group(a.finding.help, "within a zone that is `([^`]*)` works");
+  const Span s = a.recovery();
+  const std::regex number_of("(, )[0-9.]+ m(?=\\))"), within("within +\\w+");
+  return a.text.substr(0, s.begin) +
+         "zone instead = " + std::regex_replace(zone, number_of, "$01" + value) + ";\n" +
+         std::regex_replace(a.text.substr(s.begin, s.end - s.begin), within, "within instead") +
+         a.text.substr(s.end);
+}
+
 std::vector<Offer> offers() {
   const auto part = [](Span (About::*which)() const, const std::string& pattern) {
     return [which, pattern](const About& a, const std::string& value) {
@@ -262,15 +273,8 @@ std::vector<Offer> offers() {
          return with(a.text, statement_before(a.text, "zone +" + zone + "\\b", a.text.size()),
                      "\\) *from [0-9.]+ m to +", value);
        }},
-      {"zones that overlap by " + number + " m more in both directions", "m", 1000, Beyond::less,
-       [](const About& a, const std::string& value) {  // the second zone of a pair side by side
-         const std::string by = std::regex_replace(value, std::regex(" m$"), "");
-         const std::regex re("(zone east *= *rectangle *\\()" + number + " m, 0 m");
-         std::smatch m;
-         if (!std::regex_search(a.text, m, re)) return a.text;
-         const double from = std::stod(m[2]) - std::stod(by);
-         return m.prefix().str() + m[1].str() + std::to_string(from) + " m, 0 m" + m.suffix().str();
-       }},
+      {"within a zone that is `[^`]*(?:grow|shrink)\\(\\w+, " + number + " m\\)` works", "m", 1000,
+       Beyond::less, moved_within},
       {"the nearest place with a clearance of [0-9.]+ m is (\\([0-9.]+ m, [0-9.]+ m\\))", "", 0,
        Beyond::nothing,
        [](const About& a, const std::string& value) {
@@ -316,6 +320,11 @@ const std::vector<Elsewhere> tried_elsewhere = {
     {"^no place of `\\w+` has a clearance of [0-9.]+ m:", "what is"},
     {"[0-9.]+ ms or [0-9.]+ ms works", "Repairs.BothNeighboursOf..."},
     {"it is about [0-9.]+ m wide there(?:, as cells of [0-9.]+ m tell)?", "what is"},
+    {"; control returns [0-9.]+ m from the boundary", "what is"},
+    {"zones that have a place in common with a clearance of [0-9.]+ m are needed",
+     "what is needed"},
+    {"zones (?:are needed )?that overlap by about [0-9.]+ m", "what is needed"},
+    {"a zone that is `[^`]*` is needed, and not alone", "Offers.AZoneSuitsWhoSharesTheRecovery"},
     {"a window of more than [0-9.]+ s works", "Windows.OfAZoneToStayInAreLongEnough"},
     {"a zone in which a place has a clearance of [0-9.]+ m works",
      "Recoveries.AClaimIsLargeEnoughToBeSeenToHold"},

@@ -108,6 +108,36 @@ TEST(Offers, AReserveThatNoBatteryHasIsNotOffered) {
   EXPECT_TRUE(offers(help, "`priority charged > fence;` works")) << help;
 }
 
+// A zone is offered that suits all that share the recovery: without an end it is none for a fence,
+// whatever of that is acknowledged.
+TEST(Offers, AZoneSuitsWhoSharesTheRecovery) {
+  const std::string text = R"(spec pond;
+zone room = rectangle (0 m, 0 m) to (8 m, 8 m);
+zone pond = circle (5.24 m, 0.02 m) radius 0.88 m;
+zone dry = room - grow(pond, 0.55 m);
+robot Rover {
+  body     radius 0.2 m;
+  motion   unicycle { speed <= 1.07 m/s; turn <= 2.36 rad/s; accel <= 1.62 m/s^2; brake >= 1.46 m/s^2; turn_accel <= 5.1 rad/s^2; }
+  sense    position : point   error 0.026 m    max_age 100 ms;
+  sense    heading  : angle   error 1.19 deg   max_age 100 ms;
+  sense    velocity : vector  error 0.016 m/s  max_age 100 ms;
+  output   drive : twist;
+  latency  10 ms;
+}
+fleet k1 : Rover;
+controller ac  : advanced for Rover extern;
+controller off : safe for Rover = loiter within dry speed 0.41 m/s;
+monitor pondoff for c : Rover { "SR-1: off the pond" always distance(c, pond) >= 0.5 m; recover off; }
+monitor dryin   for c : Rover { "SR-2: dry" always c inside dry; recover off; }
+decision guard for Rover { advanced ac; period 200 ms; priority pondoff > dryin; acknowledge off may break dryin "x"; }
+)";
+  const auto c = compiled(text);
+  const auto* found = first(*c, Code::recovery_elsewhere);
+  ASSERT_NE(found, nullptr) << reports(*c);
+  EXPECT_TRUE(offers(found->help, "is needed, and not alone: other errors are left"))
+      << found->help;
+}
+
 int superfluous(const std::string& clauses) {
   const auto c = compiled(yard_with(fence("") + side, clauses));
   EXPECT_FALSE(c->diagnostics.has_errors()) << reports(*c);

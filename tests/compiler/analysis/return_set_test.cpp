@@ -133,7 +133,7 @@ TEST(ReturnSet, ZonesWithoutAPlaceInCommonAreNamed) {
   // a number that works: so much more of the hall
   const auto narrow = compiled(beside("4.5"));
   const double more =
-      std::stod(number_in_help(*narrow, Code::return_set_empty, "overlap by ", "m"));
+      std::stod(number_in_help(*narrow, Code::return_set_empty, "`grow(hall, ", "m)"));
   expect_no_error(beside(std::to_string(4.5 - more)));
 }
 

@@ -290,7 +290,7 @@ TEST_F(MakingRoom, AMutatedCertificateIsNoticed) {
     EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << key << by;
   }
 }
-// Of more robots nothing is shown: the gate is named, with its width and what would do.
+// Of more robots nothing is shown: the gate is named, with its width and what is needed.
 TEST_F(MakingRoom, OfThreeRobotsThePassageIsNamed) {
   const auto of_three = [this](const std::string& zone) {
     return because(halls_with(zone, "a, b, c", "distance(r, q) >= 20 cm", "1 m/s"));
@@ -362,7 +362,7 @@ TEST_F(Verify, TheCheckWarnsOfPlacesWhereARobotIsStuck) {
   const Outcome seam = checked(halves("2.7 m", "2.3 m"));
   EXPECT_EQ(seam.status, exit_clean) << seam.err;
   EXPECT_NE(seam.err.find("warning[5020]: at rest at ("), std::string::npos) << seam.err;
-  EXPECT_NE(seam.err.find("zones that overlap by"), std::string::npos) << seam.err;
+  EXPECT_NE(seam.err.find("zones that overlap more there"), std::string::npos) << seam.err;
   const Outcome wide = checked(halves("4 m", "1 m"));
   EXPECT_EQ(wide.status, exit_clean) << wide.err;
   EXPECT_EQ(wide.err.find("5020"), std::string::npos) << wide.err;
