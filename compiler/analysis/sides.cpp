@@ -78,6 +78,17 @@ std::optional<geometry::Region> between(const geometry::Region& own,
   return left;
 }
 
+bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& exact,
+                      std::int64_t radius_mm) {
+  geometry::Region places;
+  for (const ir::ZoneIndex zone : zones) {
+    const auto in_it = within(exact(zone), radius_mm);
+    if (!in_it) return false;
+    places = places.unite(*in_it);
+  }
+  return is_convex(places);
+}
+
 bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
                   std::size_t k, const ir::Block& block, ir::ValueId id) {
   const auto& either = std::get<ir::Or>(block[id].op);

@@ -35,6 +35,11 @@ std::optional<geometry::Region> between(const geometry::Region& own,
                                         const ExactZone& exact, std::int64_t own_mm,
                                         std::int64_t side_mm);
 
+// Whether the places of discs that lie in one of the zones are convex, so that straight ways from
+// one of them to another one lead over no other place.
+bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& exact,
+                      std::int64_t radius_mm);
+
 // Whether one side of an `or` holds wherever the recovery of monitor `k` drives, and where it
 // stopped another one did.
 bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,

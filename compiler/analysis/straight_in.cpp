@@ -150,4 +150,12 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   return convex || starts_within(at, zone);
 }
 
+bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,
+                       const std::vector<std::vector<ir::ZoneIndex>>& either) {
+  const auto straight = [&](const std::vector<ir::ZoneIndex>& zones) {
+    return straight_between(zones, at.exact, at.decision.body.radius_mm);
+  };
+  return std::ranges::all_of(either, straight) || starts_within(at, step.zone);
+}
+
 }  // namespace rtac::analysis

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
@@ -31,5 +32,10 @@ std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step);
 // fence is convex, or there is no such way. In space the way is upright and then level; a zone of
 // the plane is entered on the level, so that each level counts by itself.
 bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence);
+
+// Whether that way stays, of each `or`, in one of these zones or another, of which each body in the
+// zone of the step lies in one: the places of bodies in them are convex, or there is no such way.
+bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,
+                       const std::vector<std::vector<ir::ZoneIndex>>& either);
 
 }  // namespace rtac::analysis

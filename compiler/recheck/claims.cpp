@@ -683,10 +683,11 @@ Found Claims::sides(const Values& v) {
   for (const sema::MonitorId id : d->priority) {
     if (!spec_[id].recover || spec_[*spec_[id].recover].name != text(v, "controller")) continue;
     const sema::Controller& recovery = spec_[*spec_[id].recover];
-    const Keeping kept = Sides(spec_, *d, *this).keeping(recovery, *m->always);
+    Sides sides(spec_, *d, *this);
+    const Keeping kept = sides.keeping(recovery, *m->always);
     if (!kept.by_sides) return wrong("no side of it holds wherever the recovery drives");
     for (const sema::ZoneId zone : moves_within(recovery)) {
-      if (kept.slow_side || sema::claim_of(recovery)) break;
+      if (sema::claim_of(recovery) || sides.straight_between(kept.either)) break;
       if (starts_within(spec_, *d, *this, *m, zone)) continue;
       return wrong("from outside of its zone the recovery may lead out of each side");
     }

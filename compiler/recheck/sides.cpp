@@ -106,7 +106,9 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
   }
   if (parts.any && keeps_a_side(recovery, part, parts)) {
     asked.by_sides = true;
-    asked.slow_side = asked.slow_side && is_slow(recovery, parts);
+    if (is_slow(recovery, parts)) return;
+    asked.either.emplace_back();
+    (void)zones_of(part, asked.either.back());
     return;
   }
   if (parts.all || parts.any) {
@@ -114,6 +116,12 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
     return;
   }
   for (const sema::ZoneId zone : all_zones(*part.expr)) asked.zones.push_back(zone);
+}
+
+bool Sides::straight_between(const std::vector<std::vector<sema::ZoneId>>& either) {
+  return std::ranges::all_of(either, [&](const std::vector<sema::ZoneId>& zones) {
+    return claims_.zones().convex_for(zones, numbers_.radius);
+  });
 }
 
 // A side that asks for no more than to be as slow as the recovery is, from when it stands on.

@@ -9,12 +9,13 @@
 namespace rtac::recheck {
 
 // What a recovery has to stay in to keep a property; `by_sides`: some `or` is kept as one side of
-// it always holds, whose zones are none of these, `slow_side`: each of them as that asks for no
-// more than to be slow; `windows`: some part speaks of zones that come and go, which is a matter of
-// leading out (leaving.h).
+// it always holds, whose zones are none of these, but those of `either`, of each `or` of which no
+// side asks for no more than to be slow; `windows`: some part speaks of zones that come and go,
+// which is a matter of leading out (leaving.h).
 struct Keeping {
   std::vector<sema::ZoneId> zones;
-  bool by_sides = false, slow_side = true, windows = false;
+  std::vector<std::vector<sema::ZoneId>> either;
+  bool by_sides = false, windows = false;
 };
 
 class Sides {
@@ -25,6 +26,9 @@ class Sides {
   bool in_one_of(sema::ZoneId own, const std::vector<sema::ZoneId>& zones) {
     return one_holds(own, zones, numbers_.radius);
   }
+  // That a straight way from a body in one of the zones to one in another leads over such bodies
+  // alone, of each of these.
+  bool straight_between(const std::vector<std::vector<sema::ZoneId>>& either);
   // That a recovery is no faster than the limits of a property that count wherever the robot is,
   // and whatever it is told.
   bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property);

@@ -115,6 +115,17 @@ bool NamedZones::convex_slab(sema::ZoneId zone, std::size_t at) {
   return region != nullptr && is_convex(region->rings());
 }
 
+bool NamedZones::convex_for(const std::vector<sema::ZoneId>& zones, const Rational& radius) {
+  geometry::Region places;
+  for (const sema::ZoneId zone : zones) {
+    const geometry::Region* const all = region(zone);
+    const auto of_discs = all != nullptr ? all->offset(-radius) : std::nullopt;
+    if (!of_discs) return false;
+    places = places.unite(*of_discs);
+  }
+  return is_convex(places.rings());
+}
+
 bool NamedZones::leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,
                                 const Rational& clearance) {
   const auto known = solid(zone);

@@ -37,6 +37,8 @@ class NamedZones {
   // The outline of one of them; nullptr: it is not known.
   const geometry::Region* slab(sema::ZoneId zone, std::size_t slab);
   bool convex_slab(sema::ZoneId zone, std::size_t slab);
+  // Whether the places of discs that lie in one of these zones of the plane are convex.
+  bool convex_for(const std::vector<sema::ZoneId>& zones, const Rational& radius);
   // Whether slab `to` is 2 `clearance` high, and it gets no narrower on the way there, straight up
   // or down, from any place of slab `from`.
   bool leads_straight(sema::ZoneId zone, std::size_t from, std::size_t to,

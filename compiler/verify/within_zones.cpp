@@ -46,8 +46,8 @@ bool has_choice(const ir::Block& property) {
 struct Keeping {
   std::vector<analysis::Standoff> zones;  // with what is asked for beyond touching
   bool by_sides = false;
-  bool slow_side = true;  // each of these `or`s by a side that asks for no more than to be slow
-  bool received = false;  // and a zone that is received
+  std::vector<std::vector<ir::ZoneIndex>> either;  // zones of those that ask for more than speed
+  bool received = false;                           // and a zone that is received
 };
 void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueId id, bool any,
              Keeping& asked) {
@@ -60,7 +60,9 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
   } else if (const auto* either = std::get_if<ir::Or>(&op)) {
     if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
       asked.by_sides = true;
-      asked.slow_side = asked.slow_side && analysis::has_slow_side(s.decision, k, block, *either);
+      if (!analysis::has_slow_side(s.decision, k, block, *either)) {
+        asked.either.push_back(analysis::sides_in_zones(s.module, s.decision, block, id));
+      }
       return;
     }
     ask_for(s, k, block, either->a, true, asked);
@@ -187,8 +189,7 @@ std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) 
       std::string doubt = doubt_of_step(s, take_over, driving, *step, outer);
       if (!doubt.empty()) return doubt;
     }
-    if (asked.by_sides && ir::moves(step->kind) && !asked.slow_side &&
-        !analysis::starts_within(take_over, step->zone)) {
+    if (ir::moves(step->kind) && !analysis::comes_in_by_sides(take_over, *step, asked.either)) {
       return "from outside of " + quoted(s.module[step->zone].name) +
              " it makes straight for it, and is not shown to stay in one zone of the `or`";
     }

@@ -73,6 +73,21 @@ TEST_F(Sides, ZonesThatOverlapEnoughAreKept) {
   expect_proved(hall_with("always not (r inside west) implies r inside east; recover back;",
                           east_from("6 m")));
 }
+// From the east straight into the west: the places of bodies in one of both are convex. Beside a
+// corner of them a way might lead out of both.
+TEST_F(Sides, AWayFromOneZoneIntoAnotherStaysInOneOfThem) {
+  const std::string home = "retreat within west speed 0.2 m/s";
+  expect_proved(hall_with(on_a_side, east_from("6 m"), home));
+  const Json claims = claims_of("P2a");
+  const std::string lower = edited(east_from("6 m"), "(6 m, 0 m)", "(6 m, 1 m)");
+  EXPECT_NE(status(hall_with(on_a_side, lower, home), "P2a"), "proved");
+  const Outcome kept = rechecked_as_proved("P2a", claims);
+  EXPECT_EQ(kept.status, exit_violation) << kept.out << kept.err;
+  EXPECT_NE((kept.out + kept.err).find("may lead out of each side"), std::string::npos);
+  // the zones are, but no body is in both of them
+  EXPECT_NE(status(hall_with(on_a_side, east_from("7.6 m"), home), "P2a"), "proved");
+  EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
+}
 // Two rooms apart, of which nobody leaves one for the other.
 TEST_F(Sides, ZonesThatAreApartAreKept) {
   expect_proved(hall_with(on_a_side, east_from("9 m") + "zone rooms = west | east;\n",
