@@ -90,6 +90,15 @@ bool has_end(const ir::ZoneTable& zone) {
     return std::abs(std::int64_t{e.ax}) <= far_mm && std::abs(std::int64_t{e.ay}) <= far_mm;
   });
 }
+// How far from the boundary of the fence each body is while the property holds, beyond touching it.
+std::int64_t surely_off_mm(const TakeOver& at, ir::ZoneIndex fence) {
+  std::int64_t mm = 0;
+  const ir::Decision& d = at.decision;
+  for (const auto& either : surely_in(d.monitors[at.judged].property, d.facts.params)) {
+    if (either.size() == 1 && either[0].zone == fence) mm = std::max(mm, either[0].mm);
+  }
+  return mm;
+}
 // The straight ways that the search may take from wherever a body may be in the fence. What a
 // property asks for beyond touching the fence is kept, or else what the robot has.
 bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
@@ -101,7 +110,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   }
   geometry::EntryQuery query{
       .clearance_mm = in_mm(body.radius_mm + standoff_mm),
-      .body_mm = in_mm(body.radius_mm - body.position_error_mm),
+      .body_mm = in_mm(body.radius_mm + surely_off_mm(at, fence) - body.position_error_mm),
       .least_mm = in_mm(body.radius_mm),
       .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm)};
   // what a retreat looks for, from outside of its zone, too (runtime/core/retreat.cpp)

@@ -171,7 +171,13 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   }
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const double radius = kind.radius.value.get_d();
-  const double body = std::max(0.0, Rational(kind.radius.value - error).get_d());
+  std::vector<Either> holds;
+  collect(spec, *judged.always, true, holds);
+  Rational off = 0;  // from the boundary of the fence, beyond touching it
+  for (const Either& sides : holds) {
+    if (sides.size() == 1 && sides[0].zone == fence) off = std::max(off, sides[0].gap);
+  }
+  const double body = std::max(0.0, Rational(kind.radius.value + off - error).get_d());
   const double clearance = radius + gap_of(spec, *judged.always, fence).get_d();
   const auto aim = number(v, "aim_mm");
   if (!aim) return false;

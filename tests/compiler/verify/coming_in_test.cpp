@@ -196,6 +196,40 @@ Json p2a_of(Json report) {
   return {};
 }
 
+// Who keeps half a metre off is not in the pocket behind a wall, which a lesser distance leaves
+// room for: from there the way leads through the wall.
+TEST_F(ComingIn, WhereADistanceIsKeptNobodyIsInWhatIsTooNarrowForIt) {
+  const auto behind_a_wall = [](const std::string& off) {
+    return R"(spec pocket;
+zone hall = rectangle (0 m, 0 m) to (6 m, 6 m) - rectangle (5 m, 0 m) to (5.2 m, 3 m);
+zone core = rectangle (1.2 m, 3.7 m) to (4 m, 5.2 m);
+robot Rover {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 1 cm    max_age 20 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 20 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Rover;
+controller pilot : advanced for Rover extern;
+controller back  : safe for Rover = retreat within core speed 0.3 m/s;
+monitor m for r : Rover { "SR-1" always clearance(r, hall) >= )" +
+           off + R"(; recover back; }
+decision go for Rover { advanced pilot; period 20 ms; priority m; }
+)";
+  };
+  const Json proved = report_of(behind_a_wall("50 cm"));
+  EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
+  EXPECT_EQ(rechecked(proved).status, exit_clean);
+  Json nearer = report_of(behind_a_wall("5 cm"));
+  EXPECT_EQ(p2a_of(nearer)["status"], "refuted");
+  for (Json& o : nearer["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(proved);
+  }
+  expect_denied(nearer, "lead across what is not convex");
+}
+
 TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
   for (const char* const by : {"42 cm", "50 cm", "1 m"}) {
     const Json report = report_of(off_a_pond("room - grow(pond, " + std::string(by) + ")"));
