@@ -87,6 +87,7 @@ class Looking {
   }
   bool sees_from(const Connectors::Spot& spot, const std::vector<Landing>& landings, int halvings) {
     if (connectors_.holds_nobody(spot)) return true;
+    if (spot.gap_mm - spot.radius_mm() >= query_.aim_mm) return true;  // all of it has room
     if (landings.empty() || looks_ > looks_max) return false;
     const auto way_to = [&](const Landing& l) {
       return std::hypot(l.x_mm - spot.x_mm, l.y_mm - spot.y_mm);

@@ -81,12 +81,16 @@ class Sights {
     const std::vector<Aim> aims = aims_of(column, row);
     double reach = 0;
     for (const Aim& aim : aims) reach = std::max(reach, farthest(here, aim.place));
-    const double within = reach + 2 * grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
+    const double within =
+        reach + 2 * grid_.cell + std::max({limits_.route, limits_.body, limits_.aim}) + snap_m;
     const Boundary boundary(all_, middle(here), within);
     return sees(boundary, here, aims, quarters_max);
   }
   bool sees(const Boundary& boundary, const Box& here, const std::vector<Aim>& aims, int times) {
     if (boundary.holds_nobody(here, limits_.body)) return true;
+    // who has as much room already stays
+    const double clear = boundary.asked_from(here, 1e300, 0) - 2 * radius(here);
+    if (clear >= limits_.aim + table_m) return true;
     double least = 1e300;
     for (const Aim& aim : aims) {
       if (aim.surely) least = std::min(least, farthest(here, aim.place));

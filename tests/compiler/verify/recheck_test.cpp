@@ -253,6 +253,35 @@ TEST_F(Recheck, RobotsInSpaceAreProvedWhereRoomIsInSight) {
   }
 }
 
+// Beside a pillar, in a wind: legs keep more than control is given back with, and who has that
+// already takes none.
+TEST_F(Recheck, WhoHasRoomInSpaceTakesNoLeg) {
+  write("pillar.rta", R"(spec pillar;
+zone air = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 30 m
+         - prism (circle (10 m, 10 m) radius 1 m) from 0 m to 30 m;
+robot Quad {
+  body radius 20 cm;
+  motion point { speed <= 2 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; disturbance <= 0.2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 20 ms;
+}
+fleet one : Quad;
+controller pilot : advanced for Quad extern;
+controller back : safe for Quad = retreat within air speed 0.5 m/s;
+monitor fence for q : Quad { "SR-1: in" always q inside air; recover back; }
+decision fly for Quad { advanced pilot; period 50 ms; priority fence; }
+)");
+  ASSERT_EQ(rtac({"verify", "pillar.rta", "-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(rechecked().status, exit_clean);
+  report_ = Json::parse(read("certificates/verification.json"));
+  for (const auto& [key, by] :
+       {std::pair{"aim_mm", -400}, {"route_mm", -600}, {"cells_x_mm_of_0", 50}}) {
+    EXPECT_EQ(rechecked_with(changed("legs", key, by)).status, exit_violation) << key;
+  }
+}
+
 TEST_F(Recheck, RobotsInSpaceAreProvedInAConvexHall) {
   const std::string annex =
       "\n          | prism (rectangle (0 m, 0 m) to (5 m, 9 m)) from 6 m to 10 m";
