@@ -48,6 +48,29 @@ Atoms atoms_of(const ir::Block& property) {
   return atoms;
 }
 
+namespace {
+
+bool told_to_be(const ir::Block& block, ir::ValueId id, bool value) {
+  const ir::Op& op = block[id].op;
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    const bool a = told_to_be(block, both->a, value), b = told_to_be(block, both->b, value);
+    return value ? a && b : a || b;
+  }
+  if (const auto* either = std::get_if<ir::Or>(&op)) {
+    const bool a = told_to_be(block, either->a, value), b = told_to_be(block, either->b, value);
+    return value ? a || b : a && b;
+  }
+  if (const auto* negated = std::get_if<ir::Not>(&op)) return told_to_be(block, negated->a, !value);
+  const auto* fact = std::get_if<ir::Fact>(&op);
+  return fact != nullptr && !fact->of_robot;
+}
+
+}  // namespace
+
+bool may_hold_by_inputs(const ir::Block& property) {
+  return told_to_be(property, property.result, true);
+}
+
 std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
                                    const ir::Monitor& monitor) {
   std::vector<std::string> all;

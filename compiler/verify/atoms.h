@@ -24,6 +24,10 @@ struct Atoms {
 };
 Atoms atoms_of(const ir::Block& property);
 
+// Whether some inputs make a property hold wherever the robot is, as far as `and`, `or` and `not`
+// tell.
+bool may_hold_by_inputs(const ir::Block& property);
+
 // Names of compiler/verify/lemmas.
 std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
                                    const ir::Monitor& monitor);

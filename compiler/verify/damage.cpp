@@ -34,6 +34,8 @@ class Damage {
     const Region allowed = centres_of(judged_, 0);
     Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
+      // it is kept anywhere while inputs say so, until they ask for something else
+      if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
       from = from.intersect(centres_of(m, start_spare_mm));
     }
     std::vector<Start> all;
@@ -135,6 +137,25 @@ class Damage {
     });
     return least ? std::optional(*least + spare_ppm) : std::nullopt;
   }
+  // How deep in the fence that it drives for one begins that is not written down: where it may just
+  // move by its claim, measured twice as well as that takes for granted, and so not be given back.
+  // Of others it does not matter.
+  [[nodiscard]] std::optional<double> depth_to_drive() const {
+    if (!driving_.recovery.claims) return std::nullopt;
+    const auto& all = s_.decision.monitors;
+    const auto k = static_cast<std::size_t>(&driving_ - all.data());
+    std::int64_t ahead_us = 0;
+    for (const ir::Monitor& m : all) {
+      if (m.recovery.name != driving_.recovery.name) continue;
+      ahead_us = std::max(ahead_us, m.lookahead.duration_us);
+    }
+    return double(analysis::claim_clearance_mm(s_.decision, s_.decision.motions[k + 1], ahead_us) -
+                  2 * s_.decision.body.position_error_mm);
+  }
+  static P moved_to_depth(const Outline& fence, P p, double depth_mm) {
+    const double now = fence.clearance(p);
+    return now <= 0 ? p : p + ((depth_mm - now) / now) * (p - fence.nearest(p));
+  }
   // Of a recovery that drives too fast, or that nobody has written down where to: at the fence that
   // it drives for, as near as it gets there to what the other property asks for.
   void near_both(const Region& from, std::vector<Start>& all) const {
@@ -144,13 +165,17 @@ class Damage {
     const ir::ZoneTable& zone = s_.module[fences.front()];
     const Outline fence = Outline::of(zone), begins = Outline::of(from);
     std::vector<std::pair<double, P>> found;  // the lower, the nearer
+    const std::optional<double> depth = depth_to_drive();
     const ir::Cells& cells = zone.cells;
     for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
       if (cells.clearance_mm_lo[at] < s_.decision.body.radius_mm + start_spare_mm) continue;
       const auto columns = static_cast<std::size_t>(cells.columns);
       const std::size_t column = at % columns, row = at / columns;
-      const P p{cells.origin_x_mm + (double(column) + 0.5) * cells.cell_mm,
-                cells.origin_y_mm + (double(row) + 0.5) * cells.cell_mm};
+      P p{cells.origin_x_mm + (double(column) + 0.5) * cells.cell_mm,
+          cells.origin_y_mm + (double(row) + 0.5) * cells.cell_mm};
+      if (depth && fence.clearance(p) > *depth + cells.cell_mm) continue;
+      if (depth) p = moved_to_depth(fence, p, *depth);
+      if (depth && fence.clearance(p) < *depth - 1) continue;  // another wall is nearer
       if (const auto far = far_from_judged(p); far && begins.contains(p)) {
         found.emplace_back(*far + fence.clearance(p), p);
       }

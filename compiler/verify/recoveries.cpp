@@ -5,6 +5,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/outline.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/superfluous.h"
@@ -478,6 +479,61 @@ std::string text_of(const std::vector<std::int64_t>& place_mm) {
   return text + ")";
 }
 
+// What may be said, of a robot at rest at a place, by any inputs.
+struct Says {
+  bool yes = false, no = false;
+};
+// One input says it, or that it is not so: it may be told both.
+bool may_be_either(const ir::Block& fact) {
+  ir::ValueId id = fact.result;
+  while (const auto* negated = std::get_if<ir::Not>(&fact[id].op)) id = negated->a;
+  const ir::Op& op = fact[id].op;
+  return std::holds_alternative<ir::InputTruth>(op) || std::holds_alternative<ir::InputIs>(op);
+}
+// `told`: how many inputs it speaks of. nullopt: something else matters.
+std::optional<Says> says_at(const Subject& s, const ir::Block& block, ir::ValueId id,
+                            const std::vector<std::int64_t>& place_mm, int& told) {
+  const ir::Op& op = block[id].op;
+  const auto* both = std::get_if<ir::And>(&op);
+  const auto* either = std::get_if<ir::Or>(&op);
+  if (both != nullptr || either != nullptr) {
+    const auto a = says_at(s, block, both ? both->a : either->a, place_mm, told);
+    const auto b = says_at(s, block, both ? both->b : either->b, place_mm, told);
+    if (!a || !b) return std::nullopt;
+    if (both != nullptr) return Says{a->yes && b->yes, a->no || b->no};
+    return Says{a->yes || b->yes, a->no && b->no};
+  }
+  if (const auto* negated = std::get_if<ir::Not>(&op)) {
+    const auto of_it = says_at(s, block, negated->a, place_mm, told);
+    return of_it ? std::optional(Says{of_it->no, of_it->yes}) : std::nullopt;
+  }
+  if (const auto* fact = std::get_if<ir::Fact>(&op)) {
+    ++told;
+    return may_be_either(s.decision.facts.monitors[fact->index].property)
+               ? std::optional(Says{true, true})
+               : std::nullopt;
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return std::nullopt;
+  const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
+  const bool of_zone = least && least->leaf.kind == ir::Leaf::Kind::clearance;
+  if (!of_zone || place_mm.size() != 2) return std::nullopt;
+  const ir::ZoneTable& zone = s.module[ir::ZoneIndex{least->leaf.table}];
+  if (zone.has_height()) return std::nullopt;
+  const double spare =
+      analysis::outline::Outline::of(zone).clearance({double(place_mm[0]), double(place_mm[1])}) -
+      double(s.decision.body.radius_mm + least->need.strictest);
+  return Says{spare >= 0, spare < 0};
+}
+// Whether a robot that rests at a place keeps what a monitor says, or does not, as one input says.
+bool inputs_decide(const Subject& s, const ir::Monitor& m,
+                   const std::vector<std::int64_t>& place_mm) {
+  if (atoms_of(m.property).only_facts()) return true;
+  int told = 0;
+  const auto says = says_at(s, m.property, m.property.result, place_mm, told);
+  return says && told == 1 && says->yes && says->no;
+}
+
 // The matrix says that it may become false, and that nobody takes over in time.
 Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t driving,
                   std::size_t judged, Obligation o) {
@@ -502,7 +558,7 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
     o.not_shown = "inputs stay as they are in a run, and agents do not stay";
     return o;
   }
-  if (atoms_of(i.property).only_facts() && !o.starts.empty()) {
+  if (!o.starts.empty() && inputs_decide(s, i, o.starts.front().place_mm)) {
     o.by_a_run = false;
     o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
                  ", its way leads out of what " + quoted(j.name) + " says";

@@ -103,6 +103,40 @@ decision fly for Quad { advanced policy; period 50 ms; priority radio > walls; }
   EXPECT_TRUE(refuted) << o.out;
 }
 
+// By night it is home, from wherever that finds it; straight across the pond of a fence that ranks
+// lower, which no run shows. What no input asks for does not.
+TEST_F(Told, AWayHomeThatInputsAskForAcrossWhatIsKeptOffIsRefuted) {
+  const auto horseshoe = [](const std::string& home) {
+    return R"(spec horseshoe;
+input night, calm : bool max_age 1 s;
+zone yard = rectangle (0 m, 0 m) to (20 m, 20 m) - rectangle (6 m, 6 m) to (14 m, 20 m);
+zone tip = rectangle (0 m, 14 m) to (6 m, 20 m);
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 20 ms;
+}
+fleet one : Cart;
+controller pilot : advanced for Cart extern;
+controller home : safe for Cart = retreat within tip speed 0.3 m/s;
+controller back : safe for Cart = retreat within yard speed 0.3 m/s;
+monitor sleep for c : Cart { "R1: home by night" always )" +
+           home + R"(; recover home; }
+monitor fence for c : Cart { "R2: in the yard" always c inside yard; recover back; }
+decision guard for Cart { advanced pilot; period 50 ms; priority sleep > fence; }
+)";
+  };
+  const auto of_fence = [&](const std::string& home) {
+    return statuses(verified(horseshoe(home), {"--format", "json"}).out, "C", "fence");
+  };
+  EXPECT_EQ(of_fence("night implies c inside tip"), Statuses{"refuted"});
+  EXPECT_EQ(of_fence("c inside tip or not (night and not night)"), Statuses{"unknown"});
+  EXPECT_EQ(of_fence("c inside tip or calm or night"), Statuses{"unknown"});
+}
+
 // Over a ledge: it is told to land, is led back from above what it would hit, and told to land
 // again. Nobody leads it anywhere where the ground below is as wide.
 TEST_F(Told, WhatInputsAskForAndAnotherOneLeadsBackFromGoesOnForAsLong) {
