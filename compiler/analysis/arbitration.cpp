@@ -273,7 +273,7 @@ class Pair {
   bool keeps_its_standoff(const ir::Recovery& step, ir::ZoneIndex fence,
                           std::optional<std::int64_t> beyond_mm) {
     const std::int64_t asked_mm = beyond_mm.value_or(unbounded_mm);
-    if (keeps_off(module_, decision_, exact_, solid_, driving_, step, {fence, asked_mm})) {
+    if (keeps_off(module_, decision_, exact_, solid_, driving_, judged_, step, {fence, asked_mm})) {
       return true;
     }
     const std::string name = name_as_written(module_[fence]);

@@ -60,13 +60,16 @@ bool lies_all_over(const ir::Module& module, const ExactZone& exact, const Exact
 }
 
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
-               const ExactSolid& solid, const ir::Monitor& driving, const ir::Recovery& step,
-               const Standoff& fence) {
+               const ExactSolid& solid, const ir::Monitor& driving, const ir::Monitor& judged,
+               const ir::Recovery& step, const Standoff& fence) {
   const ir::ZoneIndex zone = step.zone;
   if (fence.mm <= touching_mm) return true;
   if (step.claims) return lies_deep(module, exact, solid, zone, fence);
   if (zone == fence.zone) return true;
-  if (surely_off_mm(driving.property, decision.facts.params, zone) >= fence.mm) return true;
+  const bool has_it = driving.name == judged.name || relied_on(decision, driving);
+  if (has_it && surely_off_mm(driving.property, decision.facts.params, zone) >= fence.mm) {
+    return true;
+  }
   return lies_deep(module, exact, solid, zone, fence) ||
          lies_level(module, exact, solid, zone, fence) ||
          lies_all_over(module, exact, solid, zone, fence.zone);

@@ -34,11 +34,15 @@ inline constexpr std::int64_t touching_mm = 1;
 // machine may be led past a wall as near. So they keep a standoff from the wall where the zone has
 // that boundary and no other, where each place of the zone is so far off, or where the
 // property of its own monitor asks for as much from the boundary of the zone, so that the robot has
-// it. The zone of `step` lies in that of the fence. Who only claims to stay in its zone may be
-// anywhere in it: each place has to be so far off.
+// it when it engages (theory, arbitration: the invariant holds when the module is armed, and until
+// then its look-ahead keeps it). Where `judged` is another monitor, somebody may have broken that
+// before: it counts as far as nobody is accepted to (`relied_on`). Who is put where its own
+// property is false has no such standoff to begin with, and of that nothing is claimed (rule 11).
+// The zone of `step` lies in that of the fence. Who only claims to stay in its zone may be anywhere
+// in it: each place has to be so far off.
 bool keeps_off(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
-               const ExactSolid& solid, const ir::Monitor& driving, const ir::Recovery& step,
-               const Standoff& fence);
+               const ExactSolid& solid, const ir::Monitor& driving, const ir::Monitor& judged,
+               const ir::Recovery& step, const Standoff& fence);
 
 // What is left of a zone so far off, as it would be written, such as `yard & shrink(hall, 0.5 m)`;
 // "": one of the two has no name.

@@ -156,7 +156,7 @@ class InSpace {
   Found nearer(const ir::Recovery& step, ir::ZoneIndex fence) const {
     for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
       if (each.zone != fence ||
-          keeps_off(module_, decision_, flat_, exact_, monitor_, step, each)) {
+          keeps_off(module_, decision_, flat_, exact_, monitor_, monitor_, step, each)) {
         continue;
       }
       const std::string far = metres(each.mm) + " from the boundary of `" + module_[fence].name;

@@ -205,7 +205,7 @@ class Places {
   // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
   bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
     const Standoff fence{zone, kept_mm(step, zone)};
-    if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, step, fence)) {
+    if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, monitor_, step, fence)) {
       return false;
     }
     const std::string own = "`" + module_[step.zone].name + "`", far = metres(fence.mm);

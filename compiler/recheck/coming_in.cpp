@@ -9,11 +9,6 @@
 namespace rtac::recheck {
 namespace {
 
-// A zone that is not left, and how far from its boundary.
-struct Held {
-  sema::ZoneId zone;
-  Rational gap;
-};
 using Either = std::vector<Held>;
 
 std::optional<Rational> least_of(const sema::Spec& spec, const sema::Expr& e) {
@@ -87,6 +82,14 @@ void collect(const sema::Spec& spec, const sema::Expr& e, bool value, std::vecto
   if (sides_of(spec, e, value, sides)) all.push_back(std::move(sides));
 }
 
+}  // namespace
+
+std::vector<std::vector<Held>> held_in(const sema::Spec& spec, const sema::Expr& property) {
+  std::vector<Either> all;
+  collect(spec, property, true, all);
+  return all;
+}
+
 bool relied_on(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
   const bool looks = !m.ahead.duration || m.ahead.duration->value >= least_ahead(spec, d, m);
   return looks && !m.ahead.waypoints_only &&
@@ -94,6 +97,8 @@ bool relied_on(const sema::Spec& spec, const sema::Decision& d, const sema::Moni
            return &spec[a.monitor] == &m;
          });
 }
+
+namespace {
 
 std::vector<Either> held_at(const sema::Spec& spec, const sema::Decision& d,
                             const sema::Monitor& judged) {

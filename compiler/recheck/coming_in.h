@@ -2,9 +2,24 @@
 // what keeps its height (docs/templates.md).
 #pragma once
 
+#include <vector>
+
 #include "compiler/recheck/claims.h"
 
 namespace rtac::recheck {
+
+// A zone that is not left, and how far from its boundary.
+struct Held {
+  sema::ZoneId zone;
+  Rational gap;
+};
+// What is kept wherever a property holds, whatever its parameters become: of each entry at least
+// one of its zones.
+std::vector<std::vector<Held>> held_in(const sema::Spec& spec, const sema::Expr& property);
+
+// Whether a monitor keeps what it says until its recovery takes over, whoever drives: it looks
+// ahead as far as it has to, and nobody is accepted to break it.
+bool relied_on(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m);
 
 // Whether each body that may be where a recovery takes over lies in the zone already: as the
 // property of `judged` says, and those of monitors which look ahead as far as they have to and

@@ -32,8 +32,7 @@ class Entries {
           const EnteringLimits& limits)
       : zone_(zone), grid_(grid), fence_(fence), limits_(limits) {
     for (const geometry::Region& region : limits.starts) {
-      const std::vector<Segment> edges = segments_of(region);
-      starts_.insert(starts_.end(), edges.begin(), edges.end());
+      starts_.push_back(segments_of(region));
     }
     if (limits.straight_most > 0) corners_ = corners_inwards();
     for (const Segment& s : zone_) depth_ = std::min(depth_, between(s, fence_));
@@ -43,10 +42,14 @@ class Entries {
   std::variant<std::optional<geometry::Point>, BadCells> run() {
     double left = 1e300, low = 1e300, right = -1e300, top = -1e300;
     const double more = limits_.starts_off;
-    for (const Segment& s : starts_.empty() ? fence_ : starts_) {
-      left = std::min({left, s.ax, s.bx}), right = std::max({right, s.ax, s.bx});
-      low = std::min({low, s.ay, s.by}), top = std::max({top, s.ay, s.by});
-    }
+    const auto widen = [&](const std::vector<Segment>& edges) {
+      for (const Segment& s : edges) {
+        left = std::min({left, s.ax, s.bx}), right = std::max({right, s.ax, s.bx});
+        low = std::min({low, s.ay, s.by}), top = std::max({top, s.ay, s.by});
+      }
+    };
+    if (starts_.empty()) widen(fence_);
+    std::ranges::for_each(starts_, widen);
     for (double y = low - more; y < top + more; y += square_m) {
       for (double x = left - more; x < right + more; x += square_m) {
         const Box square{x, y, x + square_m, y + square_m};
@@ -83,31 +86,31 @@ class Entries {
   [[nodiscard]] double forgiven() const { return std::max(0.0082, limits_.loss + 0.0018); }
 
   static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
-  [[nodiscard]] bool contains(Place p) const {
+  // Even-odd, of one outline.
+  static bool holds(const std::vector<Segment>& edges, Place p) {
     bool in = false;
-    for (const Segment& s : zone_) {
+    for (const Segment& s : edges) {
       if ((s.ay > p.y) == (s.by > p.y)) continue;
       if (p.x < s.ax + (p.y - s.ay) / (s.by - s.ay) * (s.bx - s.ax)) in = !in;
     }
     return in;
   }
+  [[nodiscard]] bool contains(Place p) const { return holds(zone_, p); }
   double to_zone(Place p) {
     steps_ += static_cast<std::int64_t>(zone_.size());
     double least = 1e300;
     for (const Segment& s : zone_) least = std::min(least, square_to(s, p.x, p.y));
     return std::sqrt(least);
   }
-  // Some body may be in the square.
+  // Some body may be in the square: in one of the places, which may overlap.
   [[nodiscard]] bool may_start(const Box& b) const {
     const double within = radius(b) + limits_.starts_off;
     const Place m = middle(b);
-    bool in = false;
-    for (const Segment& s : starts_) {
-      if (square_to(s, m.x, m.y) <= within * within) return true;
-      if ((s.ay > m.y) == (s.by > m.y)) continue;
-      if (m.x < s.ax + (m.y - s.ay) / (s.by - s.ay) * (s.bx - s.ax)) in = !in;
-    }
-    return in;
+    return std::ranges::any_of(starts_, [&](const std::vector<Segment>& edges) {
+      return holds(edges, m) || std::ranges::any_of(edges, [&](const Segment& s) {
+               return square_to(s, m.x, m.y) <= within * within;
+             });
+    });
   }
   // From the ends of one segment.
   static double between(const Segment& s, const std::vector<Segment>& others) {
@@ -385,10 +388,10 @@ class Entries {
   const Grid& grid_;
   const std::vector<Segment>& fence_;
   const EnteringLimits limits_;
-  std::vector<Segment> starts_;
-  std::vector<Place> corners_;     // of the zone, that point into it
-  double depth_ = 1e300;           // of the zone in the fence
-  std::optional<Boundary> sight_;  // of the zone
+  std::vector<std::vector<Segment>> starts_;  // the outline of each
+  std::vector<Place> corners_;                // of the zone, that point into it
+  double depth_ = 1e300;                      // of the zone in the fence
+  std::optional<Boundary> sight_;             // of the zone
   std::int64_t steps_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/recheck/acceptable.h"
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
@@ -118,7 +119,7 @@ class Check {
     // what is declared is shown as what is proved, whoever accepts it besides
     if (!proved && accepted(d, e) && !of_turns && !(declared && !e.claims.empty())) {
       if (!e.claims.empty()) fail(whom(d, e) + ": what is acknowledged rests on no claim");
-      return;
+      return acceptable(d, e);
     }
     if (!proved && !declared && !(of_turns && accepted(d, e)))
       return fail(whom(d, e) + ": nobody acknowledges it");
@@ -131,6 +132,14 @@ class Check {
       }
       take(whom(d, e), claim,
            claim.what == "protocol" ? turns(d, part, claim, !proved) : claims_.check(claim));
+    }
+  }
+  // Of its own recovery not everything.
+  void acceptable(const sema::Decision& d, const Entry& e) {
+    const sema::Monitor* const m = e.kind == "P2a" ? monitor(d, e.monitor) : nullptr;
+    if (m == nullptr || d.on_plan) return;
+    if (const auto doubt = leads_elsewhere(spec_, d, claims_, *m)) {
+      (doubt->refuted ? out_.failed : out_.open).push_back(whom(d, e) + ": " + doubt->why);
     }
   }
   void take(const std::string& of, const Claim& claim, const std::optional<Doubt>& doubt) {
@@ -395,34 +404,24 @@ class Check {
       });
     });
   }
-  // What keeps its height lies at each of them in a zone that has some; nobody claims that of what
-  // is external.
   void lies_in(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
                const sema::Monitor& m, sema::ZoneId inner, sema::ZoneId outer) {
     const sema::Controller& recovery = spec_[*driving.recover];
-    NamedZones& zones = claims_.zones();
-    const Values names{{"inner", zones.name(inner)}, {"outer", zones.name(outer)}};
-    const bool flat = zones.region(inner) != nullptr && zones.region(outer) == nullptr;
-    const std::string how = flat && !sema::claim_of(recovery) ? "level" : "contained";
-    need(d, e, how, names, false);
-    const Rational gap = gap_of(spec_, *m.always, outer);
-    // a step of the grid is no more than touching
-    if (gap <= Rational(1, 1000)) return;
-    if (!sema::claim_of(recovery)) {  // that one may be anywhere in its zone
-      if (inner == outer || sure_gap_of(spec_, *driving.always, inner) >= gap) return;
-      // the same boundary, under another name
-      const Values back{{"inner", names.at("outer")}, {"outer", names.at("inner")}};
-      if (has(e, "contained", back)) return;
-    }
-    if (!std::ranges::any_of(e.claims, [&](const Claim& c) {
-          return c.what == how && text(c.values, "inner") == names.at("inner") &&
-                 text(c.values, "outer") == names.at("outer") &&
-                 Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >=
-                     gap * 1000;
-        })) {
-      fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
-           names.at("outer") + "`");
-    }
+    const Claim lies = lies_in_claim(claims_, recovery, inner, outer);
+    need(d, e, lies.what, lies.values, false);
+    const Rational gap = standoff_needed(spec_, d, driving, m, inner, outer);
+    if (gap == 0) return;
+    // the same boundary, under another name
+    const Values back{{"inner", lies.values.at("outer")}, {"outer", lies.values.at("inner")}};
+    if (!sema::claim_of(recovery) && has(e, "contained", back)) return;
+    const bool far = std::ranges::any_of(e.claims, [&](const Claim& c) {
+      return c.what == lies.what && text(c.values, "inner") == lies.values.at("inner") &&
+             text(c.values, "outer") == lies.values.at("outer") &&
+             Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >= gap * 1000;
+    });
+    if (far) return;
+    fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
+         lies.values.at("outer") + "`");
   }
   // Who goes to be charged has to rest within 15 cm of its dock (language rule 6.7): a way ends no
   // nearer than 2 cm or the position error, and there a robot is held off as far as it sways.

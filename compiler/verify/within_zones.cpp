@@ -120,12 +120,13 @@ std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
   if (step.zone == outer.zone && !step.claims) return "";
   const std::string name = quoted(s.module[step.zone].name);
   const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
+  const ir::Monitor& judged = take_over.decision.monitors[take_over.judged];
   if (!keeps_level(s, step, {outer.zone, 0}) && !lies_in(s, step.zone, outer.zone)) {
-    return has_choice(take_over.decision.monitors[take_over.judged].property)
+    return has_choice(judged.property)
                ? "a way from one zone of the `or` to another is not shown to stay in one of them"
                : name + " does not lie in " + outer_name;
   }
-  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, step, outer)) {
+  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, judged, step, outer)) {
     return "places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
            outer_name;
   }

@@ -1,5 +1,6 @@
 // The straight way of a recovery into its zone, and who keeps its height: what is proved of them is
 // found once more, and what is not true is denied.
+#include "compiler/recheck/entering.h"
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
@@ -365,6 +366,53 @@ TEST_F(ComingIn, WhoFallsBehindItsHoldKeepsNothing) {
   pair_in(report)["status"] = "proved";
   pair_in(report)["claims"] = pair_in(copied)["claims"];
   expect_denied(report, "its brake is too weak to follow the hold");
+}
+
+// Where two places that a body may be in overlap it may be in both.
+TEST(ComingInOnceMore, PlacesThatOverlapAreAllLookedAt) {
+  const auto box_of = [](long left, long low, long right, long top) {
+    return geometry::Region::of_rings({{{left, low}, {right, low}, {right, top}, {left, top}}});
+  };
+  const auto room = box_of(4, 1, 8, 2), all = box_of(0, 0, 12, 12);
+  const auto pillar =
+      geometry::Region::of_rings({all.rings().front(), {{5, 3}, {5, 7}, {7, 7}, {7, 3}}});
+  const auto leads_across = [&](const geometry::Region& fence, std::size_t starts) {
+    recheck::EnteringLimits limits{0.3, 0.3, 0.3, 0.3, 0.002};
+    limits.starts.assign(starts, all);
+    const auto found = recheck::enters_beyond(room, {100, 4000, 1000}, fence, limits);
+    const auto* const from = std::get_if<std::optional<geometry::Point>>(&found);
+    return from != nullptr && from->has_value();
+  };
+  EXPECT_FALSE(leads_across(all, 2));
+  EXPECT_TRUE(leads_across(pillar, 1));
+  EXPECT_TRUE(leads_across(pillar, 2));
+}
+
+// What its own monitor gives a robot counts while somebody is accepted to break it for no other
+// one.
+TEST_F(ComingIn, WhatAnotherMayBreakIsNoStandoff) {
+  const std::string text = "spec off;\n" + std::string(R"(
+zone hall = rectangle (0 m, 0 m) to (10 m, 10 m);
+zone pit = rectangle (4 m, 4 m) to (6 m, 6 m);
+zone yard = hall - pit;
+)") + a_rover + R"(
+controller back : safe for Rover = retreat within yard speed 0.3 m/s;
+controller halt : safe for Rover = retreat within hall speed 0.3 m/s;
+monitor out for r : Rover { "SR-1" always clearance(r, yard) >= 30 cm; recover back; }
+monitor m for r : Rover { "SR-2" always clearance(r, hall) >= 30 cm; recover halt; }
+decision go for Rover { advanced drive; period 50 ms; priority out > m; }
+)";
+  Json report = report_of(text);
+  expect_proved(report);
+  const std::string accepted =
+      edited(text, "out > m;", "out > m; acknowledge halt may break out \"x\";");
+  const Json open = report_of(accepted);
+  for (const Json& o : open["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "C" && o["monitor"] == "m") EXPECT_EQ(o["status"], "unknown") << o;
+  }
+  report = report_of(text);
+  write("certificates/sources/spec.rta", accepted);
+  expect_denied(report, "nothing says that `back` keeps so far from `hall`");
 }
 
 }  // namespace

@@ -93,6 +93,44 @@ TEST_F(Forged, RobotsAreNoFartherApartThanTheirZoneIsWide) {
                     "joint return: no two robots are so far apart as `apart` asks");
 }
 
+// That others come near is accepted of a recovery, and not that it leads elsewhere.
+TEST_F(Forged, WhereItLeadsNobodyAcknowledges) {
+  prove(
+      "spec near;\nzone room = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+      "zone hall = rectangle (0 m, 0 m) to (12 m, 9 m);\n" +
+      edited(a_rover, "fleet r1",
+             "agent man : radius 25 cm, speed <= 1 m/s error 5 cm max_age 200 ms;\nfleet r1") +
+      R"(zone inner = rectangle (1 m, 1 m) to (8 m, 8 m);
+controller back : safe for Rover = retreat within inner speed 0.3 m/s;
+monitor off for r : Rover {
+  "R1: off" always distance(r, man) >= 30 cm and clearance(r, room) >= 50 cm; recover back; }
+decision go for Rover { advanced drive; period 50 ms; priority off;
+  acknowledge back may break off "he sees it"; }
+)");
+  EXPECT_EQ(entry("P2a", "off")["status"], "acknowledged");
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  const std::string source = read("certificates/sources/spec.rta");
+  const struct {
+    std::string from, to, why;
+  } cases[] = {{"within inner", "within hall", "nobody can accept that `back` leads out of `room`"},
+               {"rectangle (1 m, 1 m)", "rectangle (0.4 m, 1 m)",
+                "nobody can accept that `back` leads out of what is 0.5 m inside `room`"},
+               {"= retreat within inner speed 0.3 m/s", "extern",
+                "nobody can accept what `back` does, as it claims nothing"},
+               {"clearance(r, room) >= 50 cm", "(r inside room or r inside bay)",
+                "nobody can accept that `back` leads out of all zones of an `or`"}};
+  for (const auto& each : cases) {
+    std::string text = edited(source, each.from, each.to);
+    if (each.to.find("bay") != std::string::npos) {
+      text = edited(text, "within inner", "within hall");
+      text =
+          edited(text, "zone hall", "zone bay = rectangle (9 m, 0 m) to (11 m, 9 m);\nzone hall");
+    }
+    write("certificates/sources/spec.rta", text);
+    expect_noticed("P2a of `off`: " + each.why);
+  }
+}
+
 // In a wind that holds it off.
 TEST_F(Forged, WhoChargesRestsAtItsDock) {
   write("point.rta", spec_text("tests/campaign/specs/templates/point.rta"));
