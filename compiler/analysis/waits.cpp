@@ -29,19 +29,21 @@ Awaited waited_for(const ir::Block& block, const ir::AtLeast& compare) {
   return Awaited::nothing;
 }
 
-// Of conditions that all have to come about the hardest one, of alternatives the easiest.
-Awaited waited_for(const ir::Block& block, ir::ValueId id) {
+// For it to become `value`. Of conditions that all have to come about the hardest one, of
+// alternatives the easiest: what is denied of an `or` is denied of each side, and of an `and` of
+// one.
+Awaited waited_for(const ir::Block& block, ir::ValueId id, bool value) {
   const ir::Op& op = block[id].op;
-  if (const auto* both = std::get_if<ir::And>(&op)) {
-    return std::max(waited_for(block, both->a), waited_for(block, both->b));
-  }
-  if (const auto* either = std::get_if<ir::Or>(&op)) {
-    return std::min(waited_for(block, either->a), waited_for(block, either->b));
-  }
-  if (const auto* negated = std::get_if<ir::Not>(&op)) return waited_for(block, negated->a);
+  const auto of_both = [&](ir::ValueId a, ir::ValueId b, bool both) {
+    const Awaited first = waited_for(block, a, value), second = waited_for(block, b, value);
+    return both ? std::max(first, second) : std::min(first, second);
+  };
+  if (const auto* v = std::get_if<ir::And>(&op)) return of_both(v->a, v->b, value);
+  if (const auto* v = std::get_if<ir::Or>(&op)) return of_both(v->a, v->b, !value);
+  if (const auto* v = std::get_if<ir::Not>(&op)) return waited_for(block, v->a, !value);
   if (std::holds_alternative<ir::Fact>(op)) return Awaited::inputs;
   if (const ir::Block* body = ir::body_of(op)) {
-    return std::max(Awaited::robots, waited_for(*body, body->result));
+    return std::max(Awaited::robots, waited_for(*body, body->result, value));
   }
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   return compare != nullptr ? waited_for(block, *compare) : Awaited::nothing;
@@ -52,11 +54,11 @@ Awaited waited_for(const ir::Block& block, ir::ValueId id) {
 std::string waits_until(const ir::Block& property) {
   constexpr std::array words = {"", "others have gone away", "agents have gone away",
                                 "its inputs allow it", "the zone that is received allows it"};
-  return words[static_cast<std::size_t>(waited_for(property, property.result))];
+  return words[static_cast<std::size_t>(waited_for(property, property.result, true))];
 }
 
 bool waits_for_outsiders(const ir::Block& property) {
-  return waited_for(property, property.result) > Awaited::robots;
+  return waited_for(property, property.result, true) > Awaited::robots;
 }
 
 }  // namespace rtac::analysis
