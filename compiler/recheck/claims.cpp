@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/fails.h"
@@ -606,6 +607,7 @@ Found Claims::landing(const Values& v) {
 }
 
 Found Claims::ways(const Values& v) {
+  constexpr std::optional<std::int64_t> unlimited_mm = std::numeric_limits<std::int64_t>::max();
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   const auto zone = zones_.find(text(v, "zone"));
@@ -626,6 +628,11 @@ Found Claims::ways(const Values& v) {
     return wrong("control may not be given back with that clearance");
   }
   if (milli(*route) < leg_clearance(*d, *m, *zone)) return wrong(too_near);
+  // farther away than the tables of a zone are exact they bound distances from below alone
+  const auto exact = v.count("exact_mm") != 0 ? number(v, "exact_mm") : unlimited_mm;
+  if (!exact || *exact < std::max(*back, *route)) {
+    return wrong("farther from the boundary than the tables are exact nothing gives control back");
+  }
   std::vector<geometry::Point> sites;
   if (const auto way = sema::route_of(spec_[*m->recover])) {
     for (const auto& place : spec_[way->site].places) {

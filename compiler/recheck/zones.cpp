@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/geometry/bake.h"
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/joining.h"
 #include "compiler/recheck/straight.h"
@@ -174,11 +175,16 @@ double asks(const Grid& grid, std::size_t at, double route) {
 double reach_of(const Grid& grid) {
   return std::max(0.4, 2 * grid.cell) + grid.cell;
 }
+// As clear as is asked, both of them whole millimetres.
+bool is_clear(double clearance, double asked) {
+  return clearance >= asked - slack_m;
+}
+
 std::vector<std::size_t> goals_of(const Grid& grid, double goal,
                                   const std::vector<geometry::Point>& sites) {
   std::vector<std::size_t> goals;
   for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
-    bool is_goal = sites.empty() && grid.clearance[at] >= goal;
+    bool is_goal = sites.empty() && is_clear(grid.clearance[at], goal);
     const geometry::Point middle = middle_of(grid, at);
     for (const geometry::Point& site : sites) {
       const double dx = site.x.get_d() - middle.x.get_d();
@@ -190,6 +196,30 @@ std::vector<std::size_t> goals_of(const Grid& grid, double goal,
   return goals;
 }
 
+// The outline that the robot has and its cells: on a grid of 1 mm, inside of the exact one, and
+// lengths in whole millimetres from below. What legs lose of the clearance, which is no more than
+// 2 mm where they lead straight to the end, is a matter of that outline. nullopt: there is none, or
+// the cells are not those of a zone of this size.
+struct OnGrid {
+  std::vector<Segment> edges;
+  Grid cells;
+  bool convex;
+};
+std::optional<OnGrid> on_grid(const geometry::Region& zone, const Cells& cells) {
+  const auto snapped = geometry::snap_inside(zone);
+  if (!snapped) return std::nullopt;
+  const geometry::Region region = geometry::to_region(*snapped);
+  if (region.empty() || !zone.contains(region)) return std::nullopt;
+  OnGrid found{segments_of(region), {}, is_convex(region.rings())};
+  std::optional<Grid> grid = grid_of(found.edges, cells);
+  if (!grid) return std::nullopt;
+  constexpr double hair_mm = 1e-6;  // a length of 0.3 m is no exact double
+  for (double& clearance : grid->clearance) {
+    if (clearance >= 0) clearance = std::floor((clearance + slack_m) * 1000 + hair_mm) / 1000;
+  }
+  found.cells = std::move(*grid);
+  return found;
+}
 // The least clearance along the best way from each cell; negative: there is none. From the goals
 // on: a cell is entered from one that asks for no more than it has. The clearest ways first, so
 // that each cell is reached with as much as it can be.
@@ -221,7 +251,7 @@ std::vector<std::int64_t> climbs(const Grid& grid, std::vector<std::size_t> open
   for (std::size_t k = 0; k < open.size(); ++k) {
     const std::size_t to = open[k];
     beside(grid, to, [&](std::size_t from) {
-      const bool enters = grid.clearance[to] >= asks(grid, from, route) - table_m;
+      const bool enters = is_clear(grid.clearance[to], asks(grid, from, route));
       if (steps[from] >= 0 || grid.clearance[from] < 0 || !enters) return;
       steps[from] = steps[to] + 1;
       open.push_back(from);
@@ -235,28 +265,29 @@ std::vector<std::int64_t> climbs(const Grid& grid, std::vector<std::size_t> open
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const geometry::Region& zone, const Cells& cells, const Rational& body_m,
     const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites) {
-  const std::vector<Segment> edges = segments_of(zone);
-  const std::optional<Grid> grid = grid_of(edges, cells);
-  if (!grid) return BadCells{};
-  const double route = route_m.get_d(), body = body_m.get_d() + snap_m, goal = goal_m.get_d();
-  const auto reached = best_ways(*grid, goals_of(*grid, goal - snap_m, sites));
-  Straight straight(edges, *grid, body_m.get_d(), is_convex(zone.rings()));
+  const std::optional<OnGrid> found = on_grid(zone, cells);
+  if (!found) return BadCells{};
+  const Grid& grid = found->cells;
+  const double route = route_m.get_d(), body = body_m.get_d(), goal = goal_m.get_d();
+  const auto reached = best_ways(grid, goals_of(grid, goal, sites));
+  Straight straight(found->edges, grid, body_m.get_d(), found->convex);
   JoiningLimits limits{body_m.get_d(),
                        route,
                        sites.empty(),
                        goal,
-                       reach_of(*grid),
+                       reach_of(grid),
                        std::vector<double>(reached.size(), 0),
                        {}};
   if (sites.empty()) {
     limits.straight = [&](std::size_t at) { return straight.longest_from(at, goal); };
   }
   for (std::size_t at = 0; at < reached.size(); ++at) {
-    if (grid->clearance[at] < body || reached[at] >= asks(*grid, at, route) - snap_m) continue;
-    if (!limits.straight || !limits.straight(at)) return middle_of(*grid, at);
+    if (!is_clear(grid.clearance[at], body)) continue;
+    if (is_clear(reached[at], asks(grid, at, route))) continue;
+    if (!limits.straight || !limits.straight(at)) return middle_of(grid, at);
     limits.rest[at] = -1;
   }
-  if (const auto from = joining(edges, *grid, limits).apart) return middle_of(*grid, *from);
+  if (const auto from = joining(found->edges, grid, limits).apart) return middle_of(grid, *from);
   return std::monostate{};
 }
 
@@ -264,16 +295,16 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,
                                     const std::vector<geometry::Point>& sites, bool deeper) {
-  const std::vector<Segment> edges = segments_of(zone);
-  const std::optional<Grid> grid = grid_of(edges, cells);
-  if (!grid) return std::nullopt;
-  const double route = route_m.get_d(), body = body_m.get_d() + table_m, goal = goal_m.get_d();
-  const auto goals = goals_of(*grid, goal - snap_m, sites);
-  const auto reached = best_ways(*grid, goals);
-  const auto steps = climbs(*grid, goals, route);
-  Straight straight(edges, *grid, body_m.get_d(), is_convex(zone.rings()));
+  const std::optional<OnGrid> found = on_grid(zone, cells);
+  if (!found) return std::nullopt;
+  const Grid& grid = found->cells;
+  const double route = route_m.get_d(), body = body_m.get_d(), goal = goal_m.get_d();
+  const auto goals = goals_of(grid, goal, sites);
+  const auto reached = best_ways(grid, goals);
+  const auto steps = climbs(grid, goals, route);
+  Straight straight(found->edges, grid, body_m.get_d(), found->convex);
   std::vector<double> rest(steps.size(), 0);
-  JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal, reach_of(*grid), {}, {}};
+  JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal, reach_of(grid), {}, {}};
   bool endless = false;  // from some cell
   // in sight a way may end, even where none leads over cells; to a site no such leg is taken
   limits.straight = [&](std::size_t at) -> std::optional<double> {
@@ -283,10 +314,10 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   };
   std::vector<std::size_t> without;
   for (std::size_t at = 0; at < steps.size(); ++at) {
-    if (grid->clearance[at] < body) continue;
-    rest[at] = grid->cell * static_cast<double>(std::max<std::int64_t>(steps[at], 0));
+    if (!is_clear(grid.clearance[at], body)) continue;
+    rest[at] = grid.cell * static_cast<double>(std::max<std::int64_t>(steps[at], 0));
     if (steps[at] >= 0) continue;
-    endless = endless || reached[at] >= asks(*grid, at, route);
+    endless = endless || is_clear(reached[at], asks(grid, at, route));
     if (!sites.empty()) return std::nullopt;
     without.push_back(at);
   }
@@ -298,7 +329,7 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     rest[at] = -1;
   }
   limits.rest = std::move(rest);
-  const Joining begins = joining(edges, *grid, limits);
+  const Joining begins = joining(found->edges, grid, limits);
   if (begins.apart) return std::nullopt;
   return Rational(std::max(longest, begins.longest - limits.reach));
 }

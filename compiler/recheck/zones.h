@@ -62,8 +62,8 @@ struct BadCells {};
 // Whether from every cell of the zone whose places have `body_m` of clearance a way leads, over
 // cells as clear as `route_m` or as the one that it starts from, to one as clear as `goal_m`, or to
 // one of `sites`; and whether ways begin from everywhere in it; where `sites` are none, from there
-// a leg in sight may lead straight to such a place instead. Clearances of cells are found from
-// exact ones; robots have those of a zone that is up to 3 mm smaller. Otherwise the place of a cell
+// a leg in sight may lead straight to such a place instead. The outline is the one that a robot
+// has, on its grid and inside of the exact one, and so are its cells. Otherwise the place of a cell
 // from which none leads.
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const geometry::Region& zone, const Cells& cells, const Rational& body_m,

@@ -343,11 +343,29 @@ std::string where_others_are_far(const Subject& s) {
                                                                    : "";
 }
 
+// Farther from a boundary than the tables of a zone are exact no place is seen to be as far as it
+// is.
+// "": they are exact so far.
+std::string seen_too_near(const Subject& s, const std::vector<Need>& needs) {
+  for (const Need& need : needs) {
+    const auto exact_mm = s.module[need.zone].tree.exact_inside_mm;
+    if (!exact_mm || *exact_mm >= need.clearance_mm) continue;
+    return "distances to the boundary of " + quoted(s.module[need.zone].name) +
+           " are exact up to " + metres(*exact_mm) + ", and control is given back at " +
+           metres(need.clearance_mm);
+  }
+  return "";
+}
+
 Obligation together(const Subject& s, const JointNeeds& needs) {
   Obligation o;
   o.kind = Kind::joint_return;
   const std::vector<Need> all = all_of(needs);
   o.method = "witness";
+  if (std::string near = seen_too_near(s, all); !near.empty()) {
+    o.because = std::move(near);
+    return o;
+  }
   if (all.empty()) {
     if (!needs.open.empty()) return returns_open(needs, std::move(o));
     o.status = Status::proved;

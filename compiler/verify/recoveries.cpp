@@ -172,6 +172,19 @@ Obligation doubted(Obligation o, std::string why) {
   return o;
 }
 
+// Farther from the boundary than its tables are exact they bound distances from below alone: who
+// has enough may be taken for nearer, and is not given back; and a leg is refused that keeps what
+// it has to. A recovery that looks for no more than is exact finds its ways as they are reckoned
+// here.
+std::string cut_short(const Subject& s, const ir::Recovery& last) {
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const auto exact_mm = zone.tree.exact_inside_mm;
+  const std::int64_t needs_mm = std::max(back_mm(s, last), last.route_clearance_mm);
+  if (!exact_mm || *exact_mm >= needs_mm) return "";
+  return "distances to the boundary of " + quoted(zone.name) + " are exact up to " +
+         metres(*exact_mm) + ", and " + quoted(last.name) + " needs " + metres(needs_mm);
+}
+
 // Whether a robot fits into the zone at that place.
 bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part) {
   const Rational radius(static_cast<long>(s.decision.body.radius_mm), 1000);
@@ -216,6 +229,12 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.because = off;
     return o;
   }
+  if (const std::string cut = cut_short(s, last); !cut.empty()) {
+    o.status = Status::unknown;
+    o.because = cut;
+    o.repair = "fewer vertices work, or less clearance that is asked for";
+    return o;
+  }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
   o.status = Status::proved;
   o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
@@ -225,14 +244,18 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
                                 ? ", and what it takes to charge"
                                 : " in all")
                      : ", along cells that it enters once each");
-  o.claims.push_back(with_cells({"ways",
-                                 {{"decision", s.decision.name},
-                                  {"monitor", o.monitor},
-                                  {"zone", zone.name},
-                                  {"route_mm", std::to_string(last.route_clearance_mm)},
-                                  {"extra_us", std::to_string(s.decision.return_extra_us)},
-                                  {"return_mm", std::to_string(back_mm(s, last))}}},
-                                zone));
+  Claim claim = with_cells({"ways",
+                            {{"decision", s.decision.name},
+                             {"monitor", o.monitor},
+                             {"zone", zone.name},
+                             {"route_mm", std::to_string(last.route_clearance_mm)},
+                             {"extra_us", std::to_string(s.decision.return_extra_us)},
+                             {"return_mm", std::to_string(back_mm(s, last))}}},
+                           zone);
+  if (zone.tree.exact_inside_mm) {
+    claim.values["exact_mm"] = std::to_string(*zone.tree.exact_inside_mm);
+  }
+  o.claims.push_back(std::move(claim));
   o.claims.push_back(lemma_claim("return_reached"));
   return o;
 }

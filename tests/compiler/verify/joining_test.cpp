@@ -1,6 +1,8 @@
 // That control comes back is shown from everywhere: from the middle of narrow passages, too, and to
 // where a robot without errors of its own is measured.
 
+#include <cmath>
+
 #include "compiler/recheck/zones.h"
 #include "tests/compiler/verify/testing.h"
 
@@ -58,6 +60,65 @@ TEST(JoiningOnceMore, FindsNarrowPassagesItself) {
   };
   EXPECT_TRUE(ends(Rational(7, 10)));
   EXPECT_FALSE(ends(Rational(11, 10)));
+}
+
+// Of very many edges distances are exact as far as the tables have room for: farther off nothing is
+// seen to be as clear as it is.
+TEST_F(Joining, WhereTablesEndNothingGivesControlBack) {
+  const auto round_of = [](int edges, const std::string& clearance) {
+    std::string ring;
+    for (int i = 0; i < edges; ++i) {
+      const double a = 2 * M_PI * i / edges, r = 1.1 + (i % 2 != 0 ? 0.02 : 0);
+      const auto text = [](double m) { return std::to_string(std::lround(m * 1000)) + " mm"; };
+      ring += (i > 0 ? ", (" : "(") + text(2.1 + r * std::cos(a)) + ", " +
+              text(2.1 + r * std::sin(a)) + ")";
+    }
+    return "spec round;\nzone hall = polygon [" + ring + "];\n" + a_rover + R"(
+controller back : safe for Rover = retreat within hall speed 0.3 m/s;
+monitor fence for r : Rover { "R1" always clearance(r, hall) >= )" +
+           clearance + R"(; ahead 50 ms; recover back; }
+decision go for Rover { advanced drive; period 50 ms; priority fence; }
+)";
+  };
+  Outcome o = verified(round_of(1300, "50 cm"), {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"unknown"}) << o.out;
+  EXPECT_EQ(statuses(o.out, "joint return", ""), Statuses{"unknown"}) << o.out;
+  o = verified(round_of(1100, "40 cm"), {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "fence"), Statuses{"proved"}) << o.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  Json report = Json::parse(read("shown/verification.json"));
+  int cut = 0;
+  for (Json& each : report["decisions"][0]["obligations"]) {
+    for (Json& c : each["claims"]) {
+      if (c["claim"] != "ways") continue;
+      ++cut;
+      const std::int64_t back = std::stoll(c["return_mm"].get<std::string>());
+      EXPECT_GE(std::stoll(c["exact_mm"].get<std::string>()), back);
+      c["exact_mm"] = std::to_string(back - 1);
+    }
+  }
+  EXPECT_EQ(cut, 1);
+  write("shown/verification.json", report.dump());
+  fs::rename("shown", "certificates");
+  o = recheck_sealed_anew();
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.out.find("farther from the boundary than the tables are exact"), std::string::npos);
+}
+
+// Nor counts a cell that is a millimetre less clear than is asked; of an outline between the lines
+// of the grid that is the one that a robot has.
+TEST(JoiningOnceMore, GoalsAreAsClearAsIsAskedOnTheGrid) {
+  const auto leads_to = [](const Rational& left, const Rational& goal) {
+    const auto zone = geometry::Region::of_rings({{{left, left}, {4, left}, {4, 4}, {left, 4}}});
+    const auto found = recheck::without_way(zone, {100, left > 0 ? 1 : 0, left > 0 ? 1 : 0},
+                                            Rational(15, 100), Rational(3, 10), goal, {});
+    return std::holds_alternative<std::monostate>(found);
+  };
+  EXPECT_TRUE(leads_to(0, Rational(1900, 1000)));
+  EXPECT_FALSE(leads_to(0, Rational(1901, 1000)));
+  // from 1 mm on in the tables
+  EXPECT_TRUE(leads_to(Rational(2, 10000), Rational(1900, 1000)));
+  EXPECT_FALSE(leads_to(Rational(2, 10000), Rational(1901, 1000)));
 }
 
 // Cells along the middle of its corners have no neighbour that is clearer, and a leg leads straight
