@@ -31,6 +31,25 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
   return goals;
 }
 
+std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
+                                       const ir::Cells& cells, const ir::Decision& decision,
+                                       const ir::Recovery& recovery) {
+  const ir::Body& body = decision.body;
+  const std::int64_t least_mm =
+      body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
+  if (!ir::goes_back(recovery.kind) || least_mm >= body.radius_mm) return std::nullopt;
+  // a way ends short of where it aims, by a measurement, and what legs keep has room for that
+  const std::int64_t fits_mm = body.radius_mm + body.end_reach_mm + body.position_error_mm;
+  const std::int64_t goal_mm = std::min(fits_mm, recovery.route_clearance_mm);
+  const geometry::CellGrid grid = grid_of(cells);
+  geometry::StraightLegs legs(edges, grid, in_mm(std::max<std::int64_t>(least_mm, 0)),
+                              in_mm(goal_mm));
+  for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
+    if (cells.clearance_mm_lo[at] < goal_mm && !legs.longest_from(at)) return at;
+  }
+  return std::nullopt;
+}
+
 InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                  const ir::Decision& decision, const ir::Recovery& recovery)
     : cells_(cells),

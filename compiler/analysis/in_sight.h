@@ -17,6 +17,14 @@ namespace rtac::analysis {
 // room still.
 std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recovery& recovery);
 
+// A cell near the boundary from which a robot may find no way, as it is seen with less clearance
+// than its body takes: by its position error, where it has that much. Then it takes no detours over
+// cells (runtime: RetreatManoeuvre), but a leg straight in sight to where it is seen to fit.
+// nullopt: from everywhere there is one.
+std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
+                                       const ir::Cells& cells, const ir::Decision& decision,
+                                       const ir::Recovery& recovery);
+
 // By goal and cell.
 using Marks = std::vector<std::vector<bool>>;
 

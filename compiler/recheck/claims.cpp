@@ -606,6 +606,22 @@ Found Claims::landing(const Values& v) {
   return std::nullopt;
 }
 
+// By its error a robot may be seen with less clearance than its body takes, where its monitor asks
+// for no more; it takes no detours then, but a leg straight to what legs keep, or to a little more
+// than it takes: a way ends short of where it aims, by a measurement.
+Found Claims::led_in(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone,
+                     const Cells& cells, const Rational& route) {
+  const sema::RobotKind& kind = spec_[d.kind];
+  const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const Rational seen = kind.radius.value + sure_gap_of(spec_, *m.always, zone) - error;
+  if (sema::route_of(spec_[*m.recover]) || seen >= kind.radius.value) return std::nullopt;
+  const Rational fits =
+      std::min(route, Rational(kind.radius.value + error + std::max(error, Rational(2, 100))));
+  const auto found = without_leg(*zones_.region(zone), cells, std::max(seen, Rational(0)), fits);
+  if (std::holds_alternative<std::monostate>(found)) return std::nullopt;
+  return wrong("from where it is seen to be outside no leg leads to where it fits");
+}
+
 Found Claims::ways(const Values& v) {
   constexpr std::optional<std::int64_t> unlimited_mm = std::numeric_limits<std::int64_t>::max();
   const sema::Decision* const d = decision(v);
@@ -643,7 +659,7 @@ Found Claims::ways(const Values& v) {
                                  milli(*route), milli(*back), sites);
   if (std::holds_alternative<BadCells>(found)) return wrong("the cells are not those of the zone");
   const auto* const from = std::get_if<geometry::Point>(&found);
-  if (from == nullptr) return std::nullopt;
+  if (from == nullptr) return led_in(*d, *m, *zone, {*cell, *x, *y}, milli(*route));
   return wrong("from (" + to_decimal(from->x) + " m, " + to_decimal(from->y) +
                " m) no way leads back");
 }

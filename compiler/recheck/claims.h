@@ -53,6 +53,8 @@ class Claims {
   std::optional<Doubt> seen(const Values& v);
   std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
+  std::optional<Doubt> led_in(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone,
+                              const Cells& cells, const Rational& route);
   std::optional<Doubt> lasts(const Values& v);
   std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> parting(const Values& v);

@@ -291,6 +291,21 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
   return std::monostate{};
 }
 
+std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geometry::Region& zone,
+                                                                    const Cells& cells,
+                                                                    const Rational& seen_m,
+                                                                    const Rational& fits_m) {
+  const std::optional<OnGrid> found = on_grid(zone, cells);
+  if (!found) return BadCells{};
+  const double goal = fits_m.get_d();
+  Straight straight(found->edges, found->cells, seen_m.get_d(), found->convex);
+  for (std::size_t at = 0; at < found->cells.clearance.size(); ++at) {
+    if (is_clear(found->cells.clearance[at], goal) || straight.longest_from(at, goal)) continue;
+    return middle_of(found->cells, at);
+  }
+  return std::monostate{};
+}
+
 std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,

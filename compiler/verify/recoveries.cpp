@@ -3,12 +3,14 @@
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/outline.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/superfluous.h"
+#include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
@@ -185,6 +187,23 @@ std::string cut_short(const Subject& s, const ir::Recovery& last) {
          metres(*exact_mm) + ", and " + quoted(last.name) + " needs " + metres(needs_mm);
 }
 
+// Near the boundary a robot may be seen not to fit, and is led straight then. "": from everywhere.
+std::string led_nowhere(const Subject& s, const ir::Recovery& last) {
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const ir::Cells& cells = zone.cells;
+  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last);
+  if (!at) return "";
+  const auto columns = static_cast<std::size_t>(cells.columns);
+  const auto middle = [&](std::int64_t origin, std::size_t n) {
+    return metres(origin + std::int64_t(n) * cells.cell_mm + cells.cell_mm / 2);
+  };
+  return "near (" + middle(cells.origin_x_mm, *at % columns) + ", " +
+         middle(cells.origin_y_mm, *at / columns) + ") in " + quoted(zone.name) +
+         " the robot may be seen to be outside, by its error of " +
+         metres(s.decision.body.position_error_mm) +
+         ", and no leg in sight leads to where it is seen to fit";
+}
+
 // Whether a robot fits into the zone at that place.
 bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part) {
   const Rational radius(static_cast<long>(s.decision.body.radius_mm), 1000);
@@ -233,6 +252,12 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.status = Status::unknown;
     o.because = cut;
     o.repair = "fewer vertices work, or less clearance that is asked for";
+    return o;
+  }
+  if (const std::string outside = led_nowhere(s, last); !outside.empty()) {
+    o.status = Status::unknown;
+    o.because = outside;
+    o.repair = "a wider passage works, or less of an error";
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);

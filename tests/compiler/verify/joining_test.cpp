@@ -50,6 +50,31 @@ TEST_F(Joining, FromAWiderOneThereIsAWay) {
   EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
 }
 
+// Who is seen with less than its body takes makes straight for where it is seen to fit, and takes
+// no detours: round the bend of a narrow passage no such place is in sight.
+TEST(JoiningOnceMore, WhoIsSeenToBeOutsideHasToSeeWhereItFits) {
+  const auto lost = [](bool bent, const Rational& fits) {
+    const auto zone = geometry::Region::of_rings(
+        {bent ? geometry::Ring{{0, 0},
+                               {6, 0},
+                               {6, 6},
+                               {0, 6},
+                               {0, 2},
+                               {-3, 2},
+                               {-3, 5},
+                               {-4, 5},
+                               {-4, 1},
+                               {0, 1}}
+              : geometry::Ring{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 2}, {-4, 2}, {-4, 1}, {0, 1}}});
+    const auto found = recheck::without_leg(zone, {100, -4000, 0}, Rational(10, 100), fits);
+    EXPECT_FALSE(std::holds_alternative<recheck::BadCells>(found));
+    return std::holds_alternative<geometry::Point>(found);
+  };
+  EXPECT_FALSE(lost(false, Rational(3, 10)));
+  EXPECT_FALSE(lost(true, Rational(3, 10)));
+  EXPECT_TRUE(lost(true, Rational(7, 10)));
+}
+
 TEST(JoiningOnceMore, FindsNarrowPassagesItself) {
   const auto ends = [](const Rational& wide) {
     const auto zone =
