@@ -213,6 +213,10 @@ std::optional<OnGrid> on_grid(const geometry::Region& zone, const Cells& cells) 
   OnGrid found{segments_of(region), {}, is_convex(region.rings())};
   std::optional<Grid> grid = grid_of(found.edges, cells);
   if (!grid) return std::nullopt;
+  // its cells begin at its corner, to the millimetre
+  double left = found.edges[0].ax, low = found.edges[0].ay;
+  for (const Segment& s : found.edges) left = std::min(left, s.ax), low = std::min(low, s.ay);
+  if (std::abs(grid->x - left) > slack_m || std::abs(grid->y - low) > slack_m) return std::nullopt;
   constexpr double hair_mm = 1e-6;  // a length of 0.3 m is no exact double
   for (double& clearance : grid->clearance) {
     if (clearance >= 0) clearance = std::floor((clearance + slack_m) * 1000 + hair_mm) / 1000;
