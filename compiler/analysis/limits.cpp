@@ -349,6 +349,15 @@ std::int64_t standoff_mm(const ir::Decision& decision, const ir::Recovery& recov
   return recovery.route_clearance_mm - cruise_clearance_mm(decision, *own, longest_us);
 }
 
+std::int64_t beside_leg_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
+  std::int64_t most = 0;
+  for (const ir::Motion& m : decision.motions) {
+    if (!m.recovery || m.name != recovery.name) continue;
+    most = std::max(most, tracking_of_recovery_mm(decision.body, m));
+  }
+  return decision.body.position_error_mm + most;
+}
+
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm) {
   const ir::Body& b = decision.body;

@@ -46,6 +46,8 @@ std::int64_t cruise_clearance_mm(const ir::Decision& decision, const ir::Motion&
 // Of the clearances of a recovery, what the properties keep from the boundary of its zone beyond
 // touching it.
 std::int64_t standoff_mm(const ir::Decision& decision, const ir::Recovery& recovery);
+// How far from a leg as it sees it a robot that is led along it may be.
+std::int64_t beside_leg_mm(const ir::Decision& decision, const ir::Recovery& recovery);
 // Distance of centres at which a robot at full speed passes one that is HELD, standoff included.
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm);

@@ -52,6 +52,14 @@ Zone where_held(const TakeOver& at, const Held& held, const Centres& centres_of)
   return all;
 }
 
+// Bodies with their centres there lie in the zone.
+bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres) {
+  const std::int64_t body_mm =
+      std::max<std::int64_t>(at.decision.body.radius_mm - offsets_round_mm, 0);
+  const auto inside = within(at.exact(zone), body_mm);
+  return inside && inside->contains(centres);
+}
+
 }  // namespace
 
 bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
@@ -69,8 +77,7 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
         .subtract(at.solid(zone).shrink(by, upright))
         .empty();
   }
-  const auto inside = within(at.exact(zone), body_mm);
-  return inside && inside->contains(where_held<Region>(at, held, centres));
+  return fits_all(at, zone, where_held<Region>(at, held, centres));
 }
 
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
@@ -100,7 +107,9 @@ std::int64_t surely_off_mm(const TakeOver& at, ir::ZoneIndex fence) {
   return mm;
 }
 // The straight ways that the search may take from wherever a body may be in the fence. What a
-// property asks for beyond touching the fence is kept, or else what the robot has.
+// property asks for beyond touching the fence is kept, with room for what the robot strays from a
+// way as it sees it. Where it takes over it has as much: the hold leaves room for that along walls
+// (docs/templates.md, steering).
 bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
   const ir::Body& body = at.decision.body;
   std::int64_t standoff_mm = 0;
@@ -108,11 +117,18 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
        fence_standoffs(at.decision.monitors[at.judged].property, at.decision.facts.params)) {
     if (asked.zone == fence) standoff_mm = std::max(standoff_mm, asked.mm);
   }
+  const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
+  const Region rested =
+      where_held<Region>(at, held_at(at), [&](const TakeOver& from, const Standoff& held) {
+        return centres(from, {held.zone, held.mm + strays_mm});
+      });
+  if (fits_all(at, step.zone, rested)) return true;
   geometry::EntryQuery query{
-      .clearance_mm = in_mm(body.radius_mm + standoff_mm),
-      .body_mm = in_mm(body.radius_mm + surely_off_mm(at, fence) - body.position_error_mm),
+      .clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm),
+      .body_mm = in_mm(body.radius_mm + surely_off_mm(at, fence) + strays_mm),
       .least_mm = in_mm(body.radius_mm),
-      .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm)};
+      .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm),
+      .kept_mm = in_mm(body.radius_mm + strays_mm)};
   // what a retreat looks for, from outside of its zone, too (runtime/core/retreat.cpp)
   if (ir::goes_back(step.kind)) {
     const std::int64_t slack_mm = body.end_reach_mm + body.position_error_mm;
@@ -131,8 +147,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   }
   // what has no end is not looked at cell by cell, but where what holds meanwhile keeps bodies
   if (!has_end(at.module[fence])) {
-    query.starts = where_held<Region>(at, held_at(at), centres);
-    query.seen_off_mm = in_mm(body.position_error_mm);
+    query.starts = rested;
   }
   const auto table_of = [&](ir::ZoneIndex zone) {
     return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};

@@ -19,7 +19,7 @@ constexpr int halvings_max = 8;
 constexpr int whole_levels = 3;
 // What may be lost of the clearance in the fence: less than the 10 mm by which a hold strays, and
 // more than a way may lose of that in the zone, for the grids.
-constexpr double forgiven_mm = 8, beyond_loss_mm = 1.8, rounding_mm = 0.1;
+constexpr double forgiven_mm = 9.5, beyond_loss_mm = 1.8, rounding_mm = 0.1;
 // What the search loses where its ways over cells begin (connector_loss_m).
 constexpr double over_cells_loss_mm = 8;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
@@ -315,10 +315,13 @@ class Entering {
   // (analysis: keeps_off.h); who is nearer is led straight, and that clearance is all it keeps.
   [[nodiscard]] bool keeps_what_it_has(const Connectors::Spot& spot, double nearest) const {
     if (!starts_ && nearest >= query_.least_mm) return true;
-    double kept = std::min<double>(nearest, query_.least_mm) - query_.loss_mm;
+    double kept = std::min<double>(nearest, query_.kept_mm) - query_.loss_mm;
     // where a body fits it may go over cells as well, whatever a leg straight to a place loses
     const bool fits = nearest + 2 * spot.radius_mm() >= query_.least_mm;
-    if (fits) kept = std::min<double>(kept, query_.least_mm - over_cells_loss_mm);
+    if (fits) {
+      const double has = std::max<double>(nearest, query_.least_mm);
+      kept = std::min(kept, std::min<double>(has, query_.kept_mm) - over_cells_loss_mm);
+    }
     return depth_ + kept + forgiven_ >= asked_from(spot);
   }
   [[nodiscard]] double asked_from(const Connectors::Spot& spot) const {

@@ -21,6 +21,7 @@ struct EntryQuery {
   std::int32_t body_mm = 0;       // with less clearance in the fence a robot is nowhere
   std::int32_t least_mm = 0;      // clearance of the cells of the zone that ways lead to, at least
   std::int32_t tested_mm = 0;     // and of those that count among the ones that it tries
+  std::int32_t kept_mm = 0;       // of the clearance in the zone that a way begins with, at most
   std::int32_t loss_mm = 0;       // how much farther from the zone a way may lead than it begins
   // How far from the boundary of the zone a way ends that leads straight away from the nearest
   // place of it, or in through that, farthest first; 0: there.

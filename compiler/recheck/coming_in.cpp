@@ -131,6 +131,8 @@ geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
 
 // What is known of offsets from inside and outside (geometry/region.h).
 const Rational offsets_round(3, 1000);
+// Of numbers that the compiler rounds up to millimetres, m.
+const Rational rounding(4, 1000);
 
 }  // namespace
 
@@ -163,7 +165,8 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
     return false;
   }
   bool over_cells = false,
-       goes_back = false;  // some recovery within that zone is no retreat, or one
+       goes_back = false;          // some recovery within that zone is no retreat, or one
+  std::optional<Rational> beside;  // of the one of them that is led best
   for (const sema::MonitorId id : d.priority) {
     if (!spec[id].recover) continue;
     for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
@@ -172,6 +175,8 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
       const bool over =
           std::holds_alternative<sema::Route>(what) || std::holds_alternative<sema::Yield>(what);
       (over ? over_cells : goes_back) = true;
+      const Rational strays = beside_way(kind, d, moves->speed);
+      beside = beside ? std::min(*beside, strays) : strays;
     }
   }
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
@@ -182,12 +187,20 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   for (const Either& sides : holds) {
     if (sides.size() == 1 && sides[0].zone == fence) off = std::max(off, sides[0].gap);
   }
-  const double body = std::max(0.0, Rational(kind.radius.value + off - error).get_d());
-  const double clearance = radius + gap_of(spec, *judged.always, fence).get_d();
+  // a way is driven as it is seen, and not on the millimetre; the hold leaves as much room at rest
+  const Rational strays = error + beside.value_or(beside_least) - rounding;
+  const double body = Rational(kind.radius.value + off + strays).get_d();
+  const double clearance =
+      Rational(kind.radius.value + gap_of(spec, *judged.always, fence) + strays).get_d();
+  const geometry::Solid starts =
+      where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value + strays);
+  const Rational fits = std::max(Rational(kind.radius.value - offsets_round), Rational(0));
+  if (starts.subtract(within(claims.zones(), zone, fits)).empty()) return true;
   const auto aim = number(v, "aim_mm");
   if (!aim) return false;
   const double tested = over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
-  EnteringLimits limits{clearance, body, radius, tested, over_cells ? 0.008 : 0.002};
+  EnteringLimits limits{
+      clearance, body, radius, tested, radius + strays.get_d(), over_cells ? 0.008 : 0.002};
   if (goes_back) {
     // it looks for the clearance of return, or at least for the body and what its ways end short by
     constexpr double short_by = 0.02;
@@ -204,16 +217,12 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
     limits.alone = {milli(*aim).get_d(), reach};
   }
   if (!has_end(*outer)) {
-    const geometry::Solid starts =
-        where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value);
     if (starts.empty()) return true;
     for (const geometry::Slab& slab : starts.slabs()) {
       if (!has_end(slab.region)) return false;
       limits.starts.push_back(slab.region);
     }
-    // ways begin where a robot is seen
-    const Rational seen_off = kind.position ? kind.position->error.value : Rational(0);
-    limits.starts_off = Rational(offsets_round + seen_off).get_d();
+    limits.starts_off = offsets_round.get_d();
   }
   const auto found = enters_beyond(*inner, {*cell, *x, *y}, *outer, limits);
   const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);

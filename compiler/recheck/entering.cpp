@@ -83,7 +83,7 @@ class Entries {
   static constexpr int tests_max = 2000, more_rings = 3, rings_surely = 18;
   // Of the clearance in the fence so much is forgiven, in all: less than the 10 mm that a hold has
   // room for, and more than a way may lose, for the grids.
-  [[nodiscard]] double forgiven() const { return std::max(0.0082, limits_.loss + 0.0018); }
+  [[nodiscard]] double forgiven() const { return std::max(0.0097, limits_.loss + 0.0018); }
 
   static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
   // Even-odd, of one outline.
@@ -125,10 +125,13 @@ class Entries {
   // enough for a fence with an end: what it asks for beyond that is another claim.
   bool keeps_what_it_has(const Boundary& boundary, const Box& from, double inside) const {
     if (starts_.empty() && inside >= limits_.least) return true;
-    double kept = std::min(inside, limits_.least) - limits_.loss;
+    double kept = std::min(inside, limits_.kept) - limits_.loss;
     // where a body fits it may go over cells
     const bool fits = inside + 2 * radius(from) >= limits_.least;
-    if (fits) kept = std::min(kept, limits_.least - over_cells_loss_m);
+    if (fits) {
+      const double has = std::max(inside, limits_.least);
+      kept = std::min(kept, std::min(has, limits_.kept) - over_cells_loss_m);
+    }
     return depth_ + kept >= boundary.asked_from(from, limits_.clearance, forgiven());
   }
 

@@ -15,6 +15,7 @@ struct EnteringLimits {
   double body;       // with less clearance in the fence a robot is nowhere
   double least;      // clearance of the cells that ways lead to, at least
   double tested;     // and of those that count among the ones that are tried
+  double kept;       // of the clearance in the zone that a way begins with, at most
   double loss;       // how much farther from the zone a way may lead than it begins
   // How far from the boundary of the zone ways end that lead straight away from the nearest place
   // of it, or in through that, at least and at most; 0: there.

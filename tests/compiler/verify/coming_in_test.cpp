@@ -377,7 +377,7 @@ TEST(ComingInOnceMore, PlacesThatOverlapAreAllLookedAt) {
   const auto pillar =
       geometry::Region::of_rings({all.rings().front(), {{5, 3}, {5, 7}, {7, 7}, {7, 3}}});
   const auto leads_across = [&](const geometry::Region& fence, std::size_t starts) {
-    recheck::EnteringLimits limits{0.3, 0.3, 0.3, 0.3, 0.002};
+    recheck::EnteringLimits limits{0.3, 0.3, 0.3, 0.3, 0.3, 0.002};
     limits.starts.assign(starts, all);
     const auto found = recheck::enters_beyond(room, {100, 4000, 1000}, fence, limits);
     const auto* const from = std::get_if<std::optional<geometry::Point>>(&found);
