@@ -261,7 +261,7 @@ class Planner {
     ir::Recovery& recovery = monitor.recovery;
     const ir::SiteTable& site = module_[recovery.site];
     std::int64_t far_mm = 0, clearance_mm = decision_.body.radius_mm;
-    const std::int64_t cell_mm = module_[recovery.zone].cells.cell_mm;
+    const std::int32_t cell_mm = module_[recovery.zone].cells.cell_mm;
     recovery.leave_beside_mm = std::max<std::int64_t>(0, join_mm(recovery, cell_mm));
     crosses(monitor);
     for (std::size_t r = 0; r < site.places.size(); ++r) {

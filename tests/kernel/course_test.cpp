@@ -263,7 +263,8 @@ TEST(Course, WhatIsNotKnownIsNotUsed) {
   probe_point missing = rest;
   missing.valid = 0;
   EXPECT_EQ(usable(missing), 0);
-  EXPECT_EQ(usable(measured({robot.motion.accel_mmps2 + 10.0, 0}, 1'000'000)), 0);
+  EXPECT_EQ(usable(measured({static_cast<double>(robot.motion.accel_mmps2) + 10, 0}, 1'000'000)),
+            0);
   kept[0].known = 0;
   EXPECT_EQ(usable(rest), 0);
   kept[0].known = 1;

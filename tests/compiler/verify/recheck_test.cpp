@@ -541,9 +541,9 @@ TEST_F(Recheck, AReportSpeaksOfEachDecisionOnce) {
   Json twice = report_;
   twice["decisions"].push_back(twice["decisions"][0]);
   EXPECT_EQ(rechecked_with(twice).status, exit_violation);
-  Json other = report_;
-  other["decisions"].push_back({{"decision", "land"}, {"obligations", Json::array()}});
-  EXPECT_EQ(rechecked_with(other).status, exit_violation);
+  Json more = report_;
+  more["decisions"].push_back({{"decision", "land"}, {"obligations", Json::array()}});
+  EXPECT_EQ(rechecked_with(more).status, exit_violation);
   Json strange = report_;
   strange["decisions"][0]["obligations"][0]["obligation"] = "P9";
   strange["decisions"][0]["obligations"].push_back(report_["decisions"][0]["obligations"][0]);

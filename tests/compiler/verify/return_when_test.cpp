@@ -261,8 +261,8 @@ TEST_F(ReturnWhen, ChargeForTheWayIsFoundOnceMore) {
   const Outcome first = verified(two_sites, {"-o", "certificates"});
   ASSERT_EQ(first.status, exit_clean) << first.out << first.err;
   const Json good = Json::parse(read("certificates/verification.json"));
-  const std::string other = "return when r.battery >= energy_to(bay) + 15 %";
-  const Outcome o = verified(edited(two_sites, charged, other), {"-o", "certificates"});
+  const std::string elsewhere = "return when r.battery >= energy_to(bay) + 15 %";
+  const Outcome o = verified(edited(two_sites, charged, elsewhere), {"-o", "certificates"});
   EXPECT_EQ(status("P2b", "charge"), "unknown") << o.out;
   write("certificates/verification.json", good.dump());
   EXPECT_EQ(rechecked().status, exit_violation);

@@ -185,7 +185,9 @@ void drive(const Scene& s, const ir::Module& module, bool agreed, Scenes& scenes
     }
     ++study.ways;
     study.joined += way.points.size() > 1 ? 1 : 0;
-    if (agreed) EXPECT_LE(way.points.size(), 2U) << text_of(s);
+    if (agreed) {
+      EXPECT_LE(way.points.size(), 2U) << text_of(s);
+    }
     EXPECT_GE(least, asked) << "from " << p.x << ", " << p.y << "\n" << text_of(s);
     if (testing::Test::HasFailure()) return;
   }
