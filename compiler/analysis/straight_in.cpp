@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/in_sight.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "compiler/recheck/entering.h"
+#include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
@@ -150,6 +151,31 @@ bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
 
 namespace {
 
+// What recoveries lead the robots of a decision within a zone: whether some do over cells, or
+// straight back, and how far beside its leg the one comes that is led best.
+struct Led {
+  bool over_cells = false, goes_back = false;
+  Rational beside = beside_least;
+};
+Led led_within(const sema::Spec& spec, const sema::Decision& d, sema::ZoneId zone) {
+  Led all;
+  std::optional<Rational> beside;
+  for (const sema::MonitorId id : d.priority) {
+    if (!spec[id].recover) continue;
+    for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
+      const auto moves = sema::moves_of(what);
+      if (!moves || moves->zone != zone) continue;
+      const bool over =
+          std::holds_alternative<sema::Route>(what) || std::holds_alternative<sema::Yield>(what);
+      (over ? all.over_cells : all.goes_back) = true;
+      const Rational strays = beside_way(spec[d.kind], d, moves->speed);
+      beside = beside ? std::min(*beside, strays) : strays;
+    }
+  }
+  if (beside) all.beside = *beside;
+  return all;
+}
+
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
 // that zone loses no more than ways over cells do.
 bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
@@ -164,21 +190,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
       !y) {
     return false;
   }
-  bool over_cells = false,
-       goes_back = false;          // some recovery within that zone is no retreat, or one
-  std::optional<Rational> beside;  // of the one of them that is led best
-  for (const sema::MonitorId id : d.priority) {
-    if (!spec[id].recover) continue;
-    for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
-      const auto moves = sema::moves_of(what);
-      if (!moves || moves->zone != zone) continue;
-      const bool over =
-          std::holds_alternative<sema::Route>(what) || std::holds_alternative<sema::Yield>(what);
-      (over ? over_cells : goes_back) = true;
-      const Rational strays = beside_way(kind, d, moves->speed);
-      beside = beside ? std::min(*beside, strays) : strays;
-    }
-  }
+  const Led led = led_within(spec, d, zone);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const double radius = kind.radius.value.get_d();
   std::vector<Either> holds;
@@ -188,7 +200,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
     if (sides.size() == 1 && sides[0].zone == fence) off = std::max(off, sides[0].gap);
   }
   // a way is driven as it is seen, and not on the millimetre; the hold leaves as much room at rest
-  const Rational strays = error + beside.value_or(beside_least) - rounding;
+  const Rational strays = error + led.beside - rounding;
   const double body = Rational(kind.radius.value + off + strays).get_d();
   const double clearance =
       Rational(kind.radius.value + gap_of(spec, *judged.always, fence) + strays).get_d();
@@ -198,14 +210,14 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   if (starts.subtract(within(claims.zones(), zone, fits)).empty()) return true;
   const auto aim = number(v, "aim_mm");
   if (!aim) return false;
-  const double tested = over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
+  const double tested = led.over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
   EnteringLimits limits{
-      clearance, body, radius, tested, radius + strays.get_d(), over_cells ? 0.008 : 0.002};
-  if (goes_back) {
+      clearance, body, radius, tested, radius + strays.get_d(), led.over_cells ? 0.008 : 0.002};
+  if (led.goes_back) {
     // it looks for the clearance of return, or at least for the body and what its ways end short by
     constexpr double short_by = 0.02;
     const Rational back = claims.return_clearance(d, zone, 0);
-    if (!over_cells && milli(*aim) < back) return false;
+    if (!led.over_cells && milli(*aim) < back) return false;
     limits.straight_least = std::max(radius, std::min(back.get_d(), radius + short_by));
     limits.straight_most = std::max(limits.straight_least, milli(*aim).get_d());
   }
@@ -213,7 +225,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
   if (robots == 1 && milli(*aim) >= kind.radius.value) {
     const double width = milli(*cell).get_d();
-    const double reach = over_cells ? std::max(0.4, 2 * width) + width : 0;
+    const double reach = led.over_cells ? std::max(0.4, 2 * width) + width : 0;
     limits.alone = {milli(*aim).get_d(), reach};
   }
   if (!has_end(*outer)) {
