@@ -332,15 +332,17 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     return leg || endless || !deeper ? leg : straight.farthest_from(at, goal);
   };
   std::vector<std::size_t> without;
+  std::int64_t most_steps = 0;  // as steps: 96 cells of 0.13 m are more than 12.48 m in doubles
   for (std::size_t at = 0; at < steps.size(); ++at) {
     if (!is_clear(grid.clearance[at], body)) continue;
+    most_steps = std::max(most_steps, steps[at]);
     rest[at] = grid.cell * static_cast<double>(std::max<std::int64_t>(steps[at], 0));
     if (steps[at] >= 0) continue;
     endless = endless || is_clear(reached[at], asks(grid, at, route));
     if (!sites.empty()) return std::nullopt;
     without.push_back(at);
   }
-  double longest = *std::ranges::max_element(rest);
+  double longest = 0;
   for (const std::size_t at : without) {
     const auto leg = limits.straight(at);
     if (!leg) return std::nullopt;
@@ -350,7 +352,8 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   limits.rest = std::move(rest);
   const Joining begins = joining(found->edges, grid, limits);
   if (begins.apart) return std::nullopt;
-  return Rational(std::max(longest, begins.longest - limits.reach));
+  const Rational over_cells = Rational(static_cast<long>(cells.cell_mm * most_steps)) / 1000;
+  return std::max(over_cells, Rational(std::max(longest, begins.longest - limits.reach)));
 }
 
 bool has_end(const geometry::Region& region) {
