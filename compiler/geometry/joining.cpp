@@ -54,7 +54,7 @@ class Joining {
     double longest = 0;
     for (std::int32_t row = 0; row < cells_.rows; ++row) {
       for (std::int32_t column = 0; column < cells_.columns; ++column) {
-        if (clearance_at(column, row) >= query_.route_mm) continue;  // it is one itself
+        if (clearance_at(column, row) >= enough_mm()) continue;  // it is one itself, or needs none
         const double way = longest_from(column, row);
         found.apart[index(column, row)] = way < 0;
         longest = std::max(longest, way);
@@ -77,6 +77,11 @@ class Joining {
   }
   [[nodiscard]] double south_of(std::int32_t row) const {
     return cells_.origin.y_mm + double(row) * cells_.cell_mm;
+  }
+
+  // What a way asks of its cells at most: from where there is more, it needs none.
+  [[nodiscard]] std::int32_t enough_mm() const {
+    return query_.as_clear_as_here ? std::min(query_.route_mm, query_.return_mm) : query_.route_mm;
   }
 
   // The longest way from a place of the cell; negative: from some there is none. Of cells in reach
@@ -109,8 +114,8 @@ class Joining {
   }
   // That is clear enough, and that a leg leads to from all of the spot; null: there is none.
   const Start* first_of(const Connectors::Spot& spot, const std::vector<Start>& starts) {
-    const double here = spot.gap_mm + spot.radius_mm(), route = query_.route_mm;
-    const double asked = query_.as_clear_as_here ? std::min(here, route) : route;
+    const double here = spot.gap_mm + spot.radius_mm(), enough = enough_mm();
+    const double asked = query_.as_clear_as_here ? std::min(here, enough) : enough;
     for (const Start& s : starts) {
       if (s.clearance_mm < asked) continue;
       // beyond what it reaches it takes the nearest one alone, which may lead nowhere

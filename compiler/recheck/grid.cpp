@@ -56,12 +56,26 @@ double square_to(const Segment& s, const Box& box) {
   return least;
 }
 
+constexpr double mm = 1e-3;
+constexpr double same_m = 1e-9;  // what two doubles of one length differ by, and more
+
+// Along the axes, in whole millimetres, where doubles tell them apart even squared.
+bool is_on_grid(const Segment& s) {
+  constexpr double far_m = 10'000;
+  const auto whole = [](double m) {
+    return std::abs(m) < far_m && std::abs(m / mm - std::round(m / mm)) < same_m;
+  };
+  return (s.ax == s.bx || s.ay == s.by) && whole(s.ax) && whole(s.ay) && whole(s.bx) && whole(s.by);
+}
+
 // Blocks of cells are quartered, and each hands on the segments that may be the nearest ones of
 // some cell of it.
 class Filler {
  public:
-  Filler(const std::vector<Segment>& all, Grid& grid) : all_(all), grid_(grid) {
+  Filler(const std::vector<Segment>& all, Grid& grid)
+      : all_(all), grid_(grid), on_grid_(std::ranges::all_of(all, is_on_grid)) {
     grid_.clearance.assign(grid_.columns * grid_.rows, -1);
+    if (on_grid_) grid_.less = -same_m;
   }
   void run() {
     std::size_t side = 1;
@@ -108,7 +122,8 @@ class Filler {
     }
     if (side == 1) {
       const std::size_t at = row * grid_.columns + column;
-      if (inside_[at]) grid_.clearance[at] = std::sqrt(least) - slack_m;
+      if (inside_[at])
+        grid_.clearance[at] = on_grid_ ? rounded_down(least) : std::sqrt(least) - slack_m;
       return;
     }
     // nowhere in the block is the nearest one farther than the block is wide, across, from it
@@ -123,8 +138,15 @@ class Filler {
     }
   }
 
+  // Where both coordinates are whole millimetres the square of the distance is whole, too.
+  static double rounded_down(double square) {
+    const double whole = std::round(square / (mm * mm));
+    return std::floor(std::sqrt(whole)) * mm;
+  }
+
   const std::vector<Segment>& all_;
   Grid& grid_;
+  const bool on_grid_;
   std::vector<bool> inside_;
 };
 

@@ -29,7 +29,7 @@ class Joins {
     Joining found;
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
-        if (clearance(column, row) >= limits_.route + table_m) continue;
+        if (clearance(column, row) >= enough() + grid_.less) continue;
         auto way = longest_from(column, row);
         if (!way && limits_.straight) way = limits_.straight(index(column, row));
         if (!way) {
@@ -61,6 +61,10 @@ class Joins {
   [[nodiscard]] Box box(int column, int row) const {
     return grid_.box(static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1);
   }
+  // What a way asks of its cells at most: from where there is more, control is given back.
+  [[nodiscard]] double enough() const {
+    return limits_.as_clear_as_here ? std::min(limits_.route, limits_.back) : limits_.route;
+  }
   static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
 
   std::optional<double> longest_from(int column, int row) {
@@ -89,8 +93,8 @@ class Joins {
   std::optional<double> way_from(const Boundary& boundary, const Box& from,
                                  const std::vector<Start>& starts, int times) {
     if (boundary.holds_nobody(from, limits_.body)) return 0.0;
-    const double enough = limits_.back + table_m;
-    const double most = enough + 2 * radius(from);  // no more of the clearance matters
+    const double given_back = limits_.back + std::max(grid_.less, slack_m);
+    const double most = given_back + 2 * radius(from);  // no more of the clearance matters
     if (limits_.as_clear_as_here && boundary.asked_from(from, most, 0) >= most) return 0.0;
     if (const Start* const s = first_of(boundary, from, starts)) {
       const double leg = leg_to(from, *s);
@@ -118,7 +122,7 @@ class Joins {
   const Start* first_of(const Boundary& boundary, const Box& from,
                         const std::vector<Start>& starts) {
     const double asked = boundary.asked_from(from, limits_.route, forgiven_m);
-    const double clear = clear_for(boundary, from) + table_m;
+    const double clear = std::min(clear_for(boundary, from), enough()) + grid_.less;
     for (const Start& s : starts) {
       if (s.clearance < clear) continue;
       // beyond the reach the nearest one is taken, which may lead nowhere

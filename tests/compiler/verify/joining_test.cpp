@@ -161,6 +161,67 @@ TEST_F(Joining, OutOfTheCornersOfARhombusALegLeadsStraight) {
   const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
   EXPECT_EQ(run.status, exit_clean) << run.out << run.err;
 }
+// A cart that gives control back where it has almost all of the room that there is.
+std::string a_hall_with(const std::string& error, const std::string& ahead) {
+  return edited(edited(R"(spec rim;
+zone hall = rectangle (0 m, 0 m) to (20 m, 12 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 1.2 m  max_age 60 ms;
+  sense   velocity : vector error 2 cm/s max_age 60 ms;
+  output  push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller nav  : advanced for Cart extern;
+controller back : safe for Cart = retreat within hall speed 0.4 m/s;
+monitor fence for r : Cart { "R1: in the hall" always r inside hall; ahead 0.1 s; recover back; }
+decision drive for Cart { advanced nav; period 50 ms; priority fence; }
+)",
+                       "error 1.2 m", error),
+                "ahead 0.1 s", "ahead " + ahead);
+}
+
+// The clearest cells of the hall have 5.9 m: control that is given back there, or a little short of
+// it, is given back; the certificate and the recheck agree to the millimetre where all edges run
+// along the axes.
+TEST_F(Joining, UpToTheRimOfTheClearestCellsControlComesBack) {
+  for (const auto& [error, ahead, clearance] :
+       {std::tuple("1.292 m", "100 ms", "5897"), std::tuple("1.293 m", "98 ms", "5900")}) {
+    const Outcome o = verified(a_hall_with(std::string("error ") + error, ahead), {"-o", "shown"});
+    EXPECT_EQ(o.status, exit_clean) << error << o.out << o.err;
+    EXPECT_EQ(recheck_sealed_anew("shown").status, exit_clean) << error;
+    Json report = Json::parse(read("shown/verification.json"));
+    bool any = false;
+    for (Json& obligation : report["decisions"][0]["obligations"]) {
+      for (Json& claim : obligation["claims"]) {
+        if (claim["claim"] != "ways") continue;
+        any = true;
+        EXPECT_EQ(claim["return_mm"], clearance);
+        claim["return_mm"] = "5901";
+      }
+    }
+    EXPECT_TRUE(any);
+    write("shown/verification.json", report.dump());
+    EXPECT_EQ(recheck_sealed_anew("shown").status, exit_violation) << error;
+  }
+}
+// Round about, the recheck knows the clearances of cells to 4 mm only: the report does not claim
+// what the recheck would not find.
+TEST_F(Joining, OnTheRimOfARoundZoneItIsNotKnown) {
+  const auto hall = [](const std::string& error) {
+    return edited(edited(a_hall_with("error 1.2 m", "100 ms"),
+                         "rectangle (0 m, 0 m) to (20 m, 12 m)", "circle (0 m, 0 m) radius 6 m"),
+                  "error 1.2 m", "error " + error);
+  };
+  const Outcome rim = verified(hall("1.28 m"), {"--format", "json"});
+  EXPECT_EQ(statuses(rim.out, "P2b", "fence"), Statuses{"unknown"}) << rim.out;
+  EXPECT_NE(rim.out.find("to be seen by the recheck it takes 5.853 m"), std::string::npos);
+  const Outcome o = verified(hall("1.278 m"), {"-o", "shown"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(recheck_sealed_anew("shown").status, exit_clean);
+}
 // Cells of tens of metres touch its boundary all round, and hold no way; a leg leads straight in.
 TEST_F(Joining, InAConvexZoneOfManyKilometresLegsLeadStraight) {
   const std::string octagon =

@@ -171,10 +171,11 @@ TEST(LongestWay, LeadsOutOfAPassage) {
 // 96 cells of 0.13 m between two racks are 12.48 m, and no hair more: what a certificate says in
 // whole millimetres is not refused for how doubles round.
 TEST(LongestWay, OverCellsIsExact) {
-  const auto box = [](int x, int y, int right, int top) {
+  const auto rectangle = [](int x, int y, int right, int top) {
     return geometry::Region::of_rings({{{x, y}, {right, y}, {right, top}, {x, top}}});
   };
-  const auto hall = box(0, 0, 30, 20).subtract(box(5, 4, 25, 6)).subtract(box(5, 13, 25, 15));
+  const auto hall =
+      rectangle(0, 0, 30, 20).subtract(rectangle(5, 4, 25, 6)).subtract(rectangle(5, 13, 25, 15));
   const auto way = recheck::longest_way(hall, {130, 0, 0}, Rational(2, 5), Rational(19, 20),
                                         Rational(79, 40), {}, true);
   ASSERT_TRUE(way.has_value());
