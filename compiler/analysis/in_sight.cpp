@@ -55,9 +55,11 @@ InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& c
     : cells_(cells),
       grid_(grid_of(cells)),
       route_mm_(recovery.route_clearance_mm),
-      body_mm_(decision.body.radius_mm + standoff_mm(decision, recovery)) {
+      body_mm_(decision.body.radius_mm + standoff_mm(decision, recovery)),
+      return_mm_(recovery.return_clearance_mm) {
   if (!ir::goes_back(recovery.kind)) return;
   for (const std::int64_t goal_mm : goals_mm(decision, recovery)) {
+    deepest_mm_ = goal_mm;
     legs_.emplace_back(edges, grid_, in_mm(decision.body.radius_mm), in_mm(goal_mm));
   }
 }
@@ -65,6 +67,23 @@ InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& c
 std::optional<std::int64_t> InSight::longest_mm(std::size_t at, std::size_t goal) {
   const auto leg = goal < legs_.size() ? legs_[goal].longest_from(at) : std::nullopt;
   return leg ? std::optional(whole_mm(*leg)) : std::nullopt;
+}
+
+// A retreat looks for the deepest goal first, and a leg to it that is in sight and no longer than
+// twice what it wants is taken without a search. Straight away from the boundary it goes less far.
+std::optional<std::int64_t> InSight::always_mm() {
+  // twice what is wanted, which is rounded up here, and so is what is found
+  constexpr std::int64_t rounded_mm = 6;
+  if (legs_.empty()) return std::nullopt;
+  std::int64_t longest = deepest_mm_;
+  for (std::size_t at = 0; at < cells_.clearance_mm_lo.size(); ++at) {
+    const std::int64_t clearance = cells_.clearance_mm_lo[at];
+    if (clearance < 0 || clearance >= return_mm_) continue;
+    const auto leg = legs_.back().longest_from(at, double(2 * deepest_mm_ - rounded_mm));
+    if (!leg) return std::nullopt;
+    longest = std::max(longest, whole_mm(*leg));
+  }
+  return longest;
 }
 
 std::optional<std::int64_t> InSight::longest_deeper_mm(const Marks& lost, const Marks& endless) {

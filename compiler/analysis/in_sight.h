@@ -39,6 +39,10 @@ class InSight {
   // The longest leg from anywhere in a cell to where it ends; nullopt: from some place of it none
   // is known.
   std::optional<std::int64_t> longest_mm(std::size_t at, std::size_t goal = 0);
+  // The longest leg from anywhere where control is not given back yet, if one is taken from all of
+  // it and no way over cells: one to the goal that is tried first, and short enough. nullopt: from
+  // some place none is known.
+  std::optional<std::int64_t> always_mm();
   // The longest leg that may be taken where the search may not lead to a goal beyond the first,
   // from cells of which none is `lost`; nullopt: it may, along a way of which nothing is known.
   std::optional<std::int64_t> longest_deeper_mm(const Marks& lost, const Marks& endless);
@@ -51,7 +55,8 @@ class InSight {
 
   const ir::Cells& cells_;
   const geometry::CellGrid grid_;
-  const std::int64_t route_mm_, body_mm_;
+  const std::int64_t route_mm_, body_mm_, return_mm_;
+  std::int64_t deepest_mm_ = 0;  // of the goals
   std::vector<geometry::StraightLegs> legs_;  // by goal
 };
 

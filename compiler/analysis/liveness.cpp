@@ -413,6 +413,14 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   return without_legs(over_cells(cells, module, decision, recovery));
 }
 
+std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
+                                        const ir::Recovery& last) {
+  if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
+  const ir::ZoneTable& zone = module[last.zone];
+  const std::vector<geometry::EdgeRow> edges = edges_of(zone);
+  return InSight(edges, zone.cells, decision, last).always_mm();
+}
+
 namespace {
 
 // What moves in space goes up or down and on a level straight to where there is room, as far as
@@ -438,7 +446,9 @@ std::optional<Rational> seconds_over_cells(const sema::RobotKind& kind, const ir
   if (decision.body.in_space) {
     return carried_seconds(kind, speed, decision.period_us, cell, joined_mm);
   }
-  const Rational driven = travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
+  const auto leg_mm = straight_mm(module, decision, last);
+  const Rational driven = leg_mm ? leg_seconds(kind, speed, decision.period_us, *leg_mm)
+                                 : travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
   if (last.kind == ir::RecoveryKind::route) return driven;
   // the last leg goes straight on
   const Rational slowest = speed - lasting_speed(kind, decision.period_us);

@@ -54,6 +54,11 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
                const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery);
 
+// The longest leg of a retreat of the plane that takes one straight leg from everywhere, and no way
+// over cells. none: it may take a way.
+std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
+                                        const ir::Recovery& last);
+
 // Upper bound of the time from taking over until control is given back, as long as no other robot
 // is near and nothing else keeps it: braking, looking, driving, dwelling. none: there is no bound.
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,

@@ -46,7 +46,7 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
 
-std::optional<double> StraightLegs::longest_from(std::size_t cell) {
+std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_mm) {
   const auto columns = static_cast<std::size_t>(cells_.columns);
   const auto column = static_cast<std::int32_t>(cell % columns);
   const auto row = static_cast<std::int32_t>(cell / columns);
@@ -56,7 +56,7 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell) {
   const double size = cells_.cell_mm;
   // there the clearance along a leg is no less than at the end that has less, and the place that it
   // leads from has less than a goal
-  if (convex_) return ends.front().off_mm + size;
+  if (convex_ && ends.front().off_mm + size <= most_mm) return ends.front().off_mm + size;
   const double west = cells_.origin.x_mm + column * size;
   const double south = cells_.origin.y_mm + row * size;
   double reach = 0;
@@ -64,22 +64,24 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell) {
   (void)legs_.look_around(west, south, size, reach);
   const Connectors::Spot whole = around_.look_around(west, south, size, 0);
   looks_ += legs_.looked_at() + around_.looked_at();
-  return longest_in(whole, ends, halvings_max);
+  return longest_in(whole, ends, most_mm, halvings_max);
 }
 
 // The nearest one in sight is taken, and none that is tried is left out for one that is farther.
 std::optional<double> StraightLegs::longest_in(const Connectors::Spot& spot,
-                                               const std::vector<End>& ends, int halvings) {
+                                               const std::vector<End>& ends, double most_mm,
+                                               int halvings) {
   if (around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_) return 0;
   for (const End& end : ends) {
     looks_ += 4;
-    if (!legs_.is_sound(spot, end.at)) continue;
-    return std::hypot(end.at.x_mm - spot.x_mm, end.at.y_mm - spot.y_mm) + spot.radius_mm();
+    const double leg =
+        std::hypot(end.at.x_mm - spot.x_mm, end.at.y_mm - spot.y_mm) + spot.radius_mm();
+    if (leg <= most_mm && legs_.is_sound(spot, end.at)) return leg;
   }
   if (halvings == 0 || looks_ > looks_end_) return std::nullopt;
   double longest = 0;
   for (const Connectors::Spot& part : around_.quarters(spot)) {
-    const auto of_part = longest_in(part, ends, halvings - 1);
+    const auto of_part = longest_in(part, ends, most_mm, halvings - 1);
     if (!of_part) return std::nullopt;
     longest = std::max(longest, *of_part);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,8 +20,9 @@ class StraightLegs {
   StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells, std::int32_t body_mm,
                std::int32_t goal_mm);
   // In mm, of the leg that is taken from any place of the cell, at most; nullopt: from some place
-  // none is known.
-  [[nodiscard]] std::optional<double> longest_from(std::size_t cell);
+  // none is known, or it may be longer than `most_mm`.
+  [[nodiscard]] std::optional<double> longest_from(
+      std::size_t cell, double most_mm = std::numeric_limits<double>::infinity());
   // In mm, to the farthest one that may be tried from anywhere in the cell; 0: there is none.
   [[nodiscard]] double farthest_from(std::size_t cell) const;
 
@@ -35,7 +37,7 @@ class StraightLegs {
   int add_ring(std::size_t cell, std::int32_t ring, std::int32_t least_mm,
                std::vector<End>& ends) const;
   std::optional<double> longest_in(const Connectors::Spot& spot, const std::vector<End>& ends,
-                                   int halvings);
+                                   double most_mm, int halvings);
 
   const CellGrid& cells_;
   const std::int32_t goal_mm_;

@@ -101,6 +101,9 @@ std::optional<Said> said_of(Claims& claims, const Values& v) {
   return said;
 }
 
+// What one that loiters would like to have more.
+const Rational to_circle(1, 2);
+
 // nullopt: nothing bounds it.
 std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
                                 const sema::Spec& spec, const sema::Template& last) {
@@ -115,13 +118,25 @@ std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
   // one that loiters would like to have half a metre more; a leg in sight is taken that is no
   // longer than twice what is wanted
   std::vector<Rational> aims{said.aim};
-  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + Rational(1, 2));
+  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + to_circle);
   for (const Rational& aim : aims) {
     const auto deeper = longest_way(zone, said.cells, said.starts, said.route, aim, sites, true);
     if (!most || !deeper) return std::nullopt;
     most = std::max({*most, *deeper, Rational(2 * aim)});
   }
   return most;
+}
+
+// From everywhere it takes a leg that is no longer, and searches for no way: one in sight to where
+// it aims at first, no longer than twice that clearance (which it takes to the millimetre).
+bool takes_legs(const geometry::Region& zone, const Said& said, const sema::RobotKind& kind,
+                const sema::Template& last, const Rational& leg) {
+  const bool loiters = std::holds_alternative<sema::Loiter>(last);
+  if (!loiters && !std::holds_alternative<sema::Retreat>(last)) return false;
+  const Rational aim = loiters ? Rational(said.aim + to_circle) : said.aim;
+  const Rational rounded(1, 250);
+  return aim <= leg && leg <= 2 * aim - rounded &&
+         legs_lead(zone, said.cells, kind.radius.value, said.back, aim, leg);
 }
 
 // Why one of the monitors that a recovery drives for may not let go where it has led.
@@ -186,8 +201,14 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (auto doubt = ends(spec, decision, claims, monitor, said->back, after)) return doubt;
   const auto way = longest(*zone, *said, spec, steps.back());
   if (!way || *way > said->way) return wrong("its way may be longer");
+  const sema::Controller& recovery = spec[*monitor.recover];
+  const auto leg = number(v, "leg_mm");
+  if (leg && !takes_legs(*zone, *said, kind, steps.back(), milli(*leg))) {
+    return wrong("it may take a way over cells, or a longer leg");
+  }
   const auto seconds =
-      return_seconds(kind, decision, spec[*monitor.recover], milli(said->cells.cell_mm), said->way);
+      leg ? leg_seconds(kind, decision, recovery, milli(*leg))
+          : return_seconds(kind, decision, recovery, milli(said->cells.cell_mm), said->way);
   if (!seconds || *seconds + after > held) return wrong("it may last longer");
   return std::nullopt;
 }

@@ -68,7 +68,7 @@ Straight::Tried Straight::visit_ring(std::size_t cell, int ring, const Visit& vi
   return tried;
 }
 
-std::optional<double> Straight::longest_from(std::size_t cell, double goal) {
+std::optional<double> Straight::longest_from(std::size_t cell, double goal, double most) {
   std::vector<Place> ends;
   int tried = 0;
   const auto last = static_cast<int>(std::max(grid_.columns, grid_.rows));
@@ -84,27 +84,29 @@ std::optional<double> Straight::longest_from(std::size_t cell, double goal) {
   std::ranges::stable_sort(ends, {}, [&](Place end) { return apart(end, middle(here)); });
   steps_ += static_cast<std::int64_t>(zone_.size());
   if (ends.empty() || steps_ > steps_max) return std::nullopt;
-  if (convex_) return apart(ends.front(), middle(here)) + grid_.cell;
+  const double roughly = apart(ends.front(), middle(here)) + grid_.cell;
+  if (convex_ && roughly <= most) return roughly;
   steps_end_ = std::min(steps_max, steps_ + of_cell_max);
   const double within =
       apart(ends.back(), middle(here)) + 3 * grid_.cell + std::max(goal, body_) + snap_m;
-  return longest_in(Boundary(zone_, middle(here), within), here, goal, ends, quarters_max);
+  return longest_in(Boundary(zone_, middle(here), within), here, goal, most, ends, quarters_max);
 }
 
 std::optional<double> Straight::longest_in(const Boundary& boundary, const Box& from, double goal,
-                                           const std::vector<Place>& ends, int times) {
+                                           double most, const std::vector<Place>& ends, int times) {
   if (boundary.holds_nobody(from, body_)) return 0.0;
-  const double most = goal + table_m + 2 * radius(from);  // no more of the clearance matters
-  if (boundary.asked_from(from, most, 0) >= most) return 0.0;
+  const double counts = goal + table_m + 2 * radius(from);  // no more of the clearance matters
+  if (boundary.asked_from(from, counts, 0) >= counts) return 0.0;
   const double asked = boundary.asked_from(from, goal, forgiven_m);
   for (const Place end : ends) {
     ++steps_;
-    if (boundary.keeps(from, end, asked)) return apart(end, middle(from)) + radius(from);
+    const double leg = apart(end, middle(from)) + radius(from);
+    if (leg <= most && boundary.keeps(from, end, asked)) return leg;
   }
   if (times == 0 || steps_ > steps_end_) return std::nullopt;
   double longest = 0;
   for (const Box& quarter : quarters(from)) {
-    const auto leg = longest_in(boundary, quarter, goal, ends, times - 1);
+    const auto leg = longest_in(boundary, quarter, goal, most, ends, times - 1);
     if (!leg) return std::nullopt;
     longest = std::max(longest, *leg);
   }

@@ -18,8 +18,11 @@ class Straight {
   // what the robot has.
   Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex);
   // How long the leg is that is taken from any place of a cell to one that is so clear, at most;
-  // a body that has as much needs none. nullopt: from some place none is known.
-  std::optional<double> longest_from(std::size_t cell, double goal);
+  // a body that has as much needs none. nullopt: from some place none is known that is no longer
+  // than `most`.
+  std::optional<double> longest_from(std::size_t cell, double goal, double most = 1e300);
+  // Of a cell whose middle lies outside: whether the boundary may be in it.
+  [[nodiscard]] bool holds_some(std::size_t cell) const { return met_[cell]; }
   // To the farthest one that may be tried from anywhere in the cell; 0: there is none.
   [[nodiscard]] double farthest_from(std::size_t cell, double goal) const;
 
@@ -31,7 +34,7 @@ class Straight {
   template <class Visit>
   Tried visit_ring(std::size_t cell, int ring, const Visit& visit) const;
   std::optional<double> longest_in(const Boundary& boundary, const Box& from, double goal,
-                                   const std::vector<Place>& ends, int times);
+                                   double most, const std::vector<Place>& ends, int times);
   [[nodiscard]] std::vector<bool> met() const;
 
   const std::vector<Segment>& zone_;

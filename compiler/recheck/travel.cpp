@@ -247,6 +247,33 @@ std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Deci
   return travel && !travel->has_wheels() ? std::optional(travel->beside()) : std::nullopt;
 }
 
+namespace {
+
+// What comes before and after it has driven.
+Rational around_seconds(const Travel& travel, const sema::Decision& decision,
+                        const sema::Controller& recovery, const sema::Template& last) {
+  Rational sum = 0;
+  if (!std::holds_alternative<sema::Route>(last)) sum += travel.run_out_seconds();
+  if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
+    for (const auto& step : sequence->steps) sum += declared(step.lasts);
+  }
+  // then it is seen for 50 ms, and a period before and after (language rule 10)
+  const Rational period = decision.period->value;
+  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
+  return sum + (dwell + 2) * period;
+}
+
+}  // namespace
+
+std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                    const sema::Controller& recovery, const Rational& leg) {
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  const auto travel = travel_of(kind, decision, steps);
+  if (!travel || kind.in_space) return std::nullopt;
+  return travel->seconds_of_legs(leg, 1) +
+         around_seconds(*travel, decision, recovery, steps.back());
+}
+
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way) {
@@ -258,15 +285,7 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
   const auto driven = kind.in_space ? travel->carried_seconds(joined, cell)
                                     : std::optional(travel->seconds(joined, cell));
   if (!driven) return std::nullopt;
-  Rational sum = *driven;
-  if (!std::holds_alternative<sema::Route>(steps.back())) sum += travel->run_out_seconds();
-  if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
-    for (const auto& step : sequence->steps) sum += declared(step.lasts);
-  }
-  // then it is seen for 50 ms, and a period before and after (language rule 10)
-  const Rational period = decision.period->value;
-  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
-  return sum + (dwell + 2) * period;
+  return *driven + around_seconds(*travel, decision, recovery, steps.back());
 }
 
 }  // namespace rtac::recheck

@@ -13,6 +13,9 @@ namespace rtac::recheck {
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way);
+// The same of a retreat that takes one leg, no longer than `leg`.
+std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                    const sema::Controller& recovery, const Rational& leg);
 // Whether a robot in space follows the holds that its recovery carries: its brake is not spent.
 bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decision,
                       const sema::Controller& recovery);

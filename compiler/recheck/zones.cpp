@@ -356,6 +356,20 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   return std::max(over_cells, Rational(std::max(longest, begins.longest - limits.reach)));
 }
 
+bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
+               const Rational& back_m, const Rational& aim_m, const Rational& most_m) {
+  const std::vector<Segment> edges = segments_of(zone);
+  const std::optional<Grid> grid = grid_of(edges, cells);
+  if (!grid) return false;
+  Straight straight(edges, *grid, body_m.get_d(), is_convex(zone.rings()));
+  for (std::size_t at = 0; at < grid->clearance.size(); ++at) {
+    if (grid->clearance[at] >= back_m.get_d() + table_m) continue;
+    if (grid->clearance[at] < 0 && !straight.holds_some(at)) continue;
+    if (!straight.longest_from(at, aim_m.get_d(), most_m.get_d())) return false;
+  }
+  return true;
+}
+
 bool has_end(const geometry::Region& region) {
   const Rational far(100'000);
   return std::ranges::all_of(region.rings(), [&](const geometry::Ring& ring) {

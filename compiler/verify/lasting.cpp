@@ -22,18 +22,23 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   const auto text = [](std::int64_t n) { return std::to_string(n); };
   const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
   const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
-  return with_cells({"lasts",
-                     {{"decision", s.decision.name},
-                      {"monitor", m.name},
-                      {"zone", zone.name},
-                      {"held_us", text(ceil_to_int(Rational(*seconds * 1'000'000)))},
-                      {"way_mm", text(way_mm)},
-                      {"starts_mm", text(body.radius_mm + keeps_mm)},
-                      {"route_mm", text(last.route_clearance_mm)},
-                      {"return_mm", text(last.return_clearance_mm)},
-                      {"extra_us", text(s.decision.return_extra_us)},
-                      {"aim_mm", text(aim_mm)}}},
-                    zone);
+  Claim claim = with_cells({"lasts",
+                            {{"decision", s.decision.name},
+                             {"monitor", m.name},
+                             {"zone", zone.name},
+                             {"held_us", text(ceil_to_int(Rational(*seconds * 1'000'000)))},
+                             {"way_mm", text(way_mm)},
+                             {"starts_mm", text(body.radius_mm + keeps_mm)},
+                             {"route_mm", text(last.route_clearance_mm)},
+                             {"return_mm", text(last.return_clearance_mm)},
+                             {"extra_us", text(s.decision.return_extra_us)},
+                             {"aim_mm", text(aim_mm)}}},
+                           zone);
+  // one leg, and no way over cells
+  if (const auto leg_mm = analysis::straight_mm(s.module, s.decision, last)) {
+    claim.values["leg_mm"] = text(*leg_mm);
+  }
+  return claim;
 }
 
 }  // namespace rtac::verify

@@ -188,6 +188,9 @@ void expect_priced(const RobotLimits& limits, double speed_mps) {
                 priced_s(limits, speed_mps, length_m(way)))
           << speed_mps << " m/s, " << cells << " cells, " << way.size() << " legs";
     }
+    const auto leg = leg_seconds(kind_of(limits), milli(speed_mps), period_us, 100 * cells);
+    EXPECT_LE(driven_s<Output>(limits, speed_mps, straight), leg.get_d())
+        << speed_mps << " m/s, one leg of " << cells << " cells";
   }
 }
 TEST(Travel, APointMassTakesNoLongerThanPriced) {
@@ -296,6 +299,9 @@ TEST(Travel, TurnsEndWhateverErrorsShow) {
               << heading_rad << " rad, " << speed_mps << " m/s, " << way.size() << " legs of "
               << cells << " cells";
         }
+        EXPECT_LE(misled_s(limits, speed_mps, straight),
+                  leg_seconds(kind_of(limits), milli(speed_mps), period_us, 100 * cells).get_d())
+            << heading_rad << " rad, " << speed_mps << " m/s, one leg of " << cells << " cells";
       }
     }
   }

@@ -69,7 +69,7 @@ TEST_F(Lasting, TheEndOfARecoveryIsFoundOnceMore) {
 TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
   prove(carts());
   for (const auto& [from, to, why] :
-       {std::tuple("held <= 120 s", "held <= 20 s", "lasts longer than `held`"),
+       {std::tuple("held <= 120 s", "held <= 9 s", "lasts longer than `held`"),
         std::tuple("detour <= 2 m", "detour <= 10 cm", "drives further than `detour`"),
         std::tuple("inwards  : safe for Cart = retreat within yard speed 0.2",
                    "inwards  : safe for Cart = retreat within yard speed 0.02", "last longer"),
@@ -92,6 +92,65 @@ TEST_F(Lasting, AMutatedBoundIsNoticed) {
     }
     const Outcome o = with_report(report);
     EXPECT_EQ(o.status, exit_violation) << key << " " << by << "\n" << o.out << o.err;
+  }
+}
+
+// In a yard without narrow parts a retreat takes one leg that is in sight, and no way over cells:
+// for a shorter leg there are places that are farther off, and where a passage leads to a room, no
+// leg is always in sight.
+TEST_F(Lasting, AnEndInSightTakesOneLeg) {
+  prove(carts());
+  const auto with_leg = [&](const std::function<std::int64_t(std::int64_t)>& change) {
+    Json report = report_;
+    for (Json* const c : claims_of(report, "lasts")) {
+      const std::int64_t leg_mm = std::stoll(c->value("leg_mm", "700"));
+      (*c)["leg_mm"] = std::to_string(change(leg_mm));
+    }
+    return with_report(report);
+  };
+  ASSERT_TRUE(claims_of(report_, "lasts")[0]->contains("leg_mm"));
+  EXPECT_EQ(with_leg([](std::int64_t leg) { return leg; }).status, exit_clean);
+  const Outcome shorter = with_leg([](std::int64_t leg) { return leg / 2; });
+  EXPECT_EQ(shorter.status, exit_violation);
+  EXPECT_NE((shorter.out + shorter.err).find("or a longer leg"), std::string::npos);
+  EXPECT_EQ(with_leg([](std::int64_t leg) { return 100 * leg; }).status, exit_violation);
+
+  prove(edited(edited(edited(carts(), "rectangle (0 m, 0 m) to (8 m, 8 m)",
+                             "rectangle (0 m, 0 m) to (8 m, 8 m) | "
+                             "rectangle (8 m, 0 m) to (12 m, 70 cm)"),
+                      "held <= 120 s", "held <= 600 s"),
+               "detour <= 2 m", "detour <= 9 m"));
+  ASSERT_FALSE(claims_of(report_, "lasts")[0]->contains("leg_mm"));
+  const Outcome sought = with_leg([](std::int64_t) { return 5'000; });
+  EXPECT_EQ(sought.status, exit_violation);
+  EXPECT_NE((sought.out + sought.err).find("a way over cells"), std::string::npos);
+}
+
+// What is printed is never exceeded.
+TEST_F(Lasting, RunsEndWithinTheTimeOfALeg) {
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  const std::string alone =
+      edited(edited(edited(carts(), "fleet one, two : Cart", "fleet one : Cart"),
+                    "site  home(two) = (3 m, 5 m);\n", ""),
+             "priority walls > charged", "priority walls");
+  const std::string yard = "rectangle (0 m, 0 m) to (8 m, 8 m)";
+  for (const std::string& zone :
+       {yard, std::string("circle (0 m, 0 m) radius 3 m"),
+        yard + " - rectangle (3 m, 3 m) to (5 m, 4 m)",
+        std::string("polygon [(0 m, 0 m), (10 m, 2 m), (12 m, 12 m), (2 m, 10 m)]")}) {
+    for (const char* const what : {"= retreat within", "= loiter within"}) {
+      const std::string text = edited(edited(alone, yard, zone), "= retreat within", what);
+      const Outcome o = verified(text, {"--format", "json"});
+      const std::size_t at = o.out.find(" s in all");
+      ASSERT_NE(at, std::string::npos) << zone << o.out;
+      const std::size_t from = o.out.rfind(' ', at - 1) + 1;
+      const std::string bound = o.out.substr(from, at - from);
+      EXPECT_LE(std::stod(bound), 20) << zone;
+      write("s.json",
+            R"({"duration_s": 90, "runs": 20, "seed": 7, "return_within_s": )" + bound + "}");
+      const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+      EXPECT_EQ(run.status, exit_clean) << zone << what << bound << run.out << run.err;
+    }
   }
 }
 
