@@ -66,15 +66,16 @@ std::vector<Json> aimed_at_rest(const std::vector<std::string>& robots, const st
   return {std::move(pushed), std::move(rests)};
 }
 
+Json place(const std::vector<std::int64_t>& mm) {
+  constexpr double mm_per_m = 1000;
+  Json at = Json::array();
+  for (const std::int64_t each : mm) at.push_back(static_cast<double>(each) / mm_per_m);
+  return at;
+}
+
 // From where the recovery of one monitor leads to where another one is false.
 Json aimed_at_start(const Obligation& o, const verify::Start& start,
                     const std::vector<std::string>& robots) {
-  const auto place = [](const std::vector<std::int64_t>& mm) {
-    constexpr double mm_per_m = 1000;
-    Json at = Json::array();
-    for (const std::int64_t each : mm) at.push_back(static_cast<double>(each) / mm_per_m);
-    return at;
-  };
   constexpr double full_ppm = 1e6;
   Json there = Json::object();
   there["about"] = o.monitor;
@@ -112,9 +113,12 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
     about["runs"] = 20;
     if (o.place_mm) {
       Json there = about;
-      constexpr double mm_per_m = 1000;
-      there["starts"][robots.front()]["at"] = {static_cast<double>(o.place_mm->first) / mm_per_m,
-                                               static_cast<double>(o.place_mm->second) / mm_per_m};
+      there["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+      all.push_back(std::move(there));
+    }
+    for (const verify::Start& start : o.starts) {
+      Json there = about;
+      there["starts"][robots.front()]["at"] = place(start.place_mm);
       all.push_back(std::move(there));
     }
     all.push_back(std::move(about));

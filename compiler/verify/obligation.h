@@ -71,8 +71,8 @@ struct Obligation {
   bool by_a_run = false;
   // Of P2b: how long a run waits for control, at least, before it counts as never given back.
   std::int64_t patience_s = 0;
-  // Of `keeps`, refuted: from where the recovery may lead out of what the property says, the
-  // likeliest first.
+  // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what
+  // the property says; the likeliest first.
   std::vector<Start> starts{};
 };
 // How much of what a monitor keeps free the worst motion needs that a search has found, from states

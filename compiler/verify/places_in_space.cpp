@@ -293,6 +293,71 @@ Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o
   return o;
 }
 
+// A place over or below which there is less room than it asks for, in the middle of what lies
+// beyond the slabs next to it: where a low gap over an obstacle is. none: a body does not fit.
+std::optional<Spot> in_the_gap(const Subject& s, const std::vector<geometry::Slab>& slabs,
+                               std::size_t k) {
+  geometry::Region beyond = slabs[k].region;
+  if (k > 0) beyond = beyond.subtract(slabs[k - 1].region);
+  if (k + 1 < slabs.size()) beyond = beyond.subtract(slabs[k + 1].region);
+  if (beyond.empty()) return std::nullopt;
+  const geometry::Ring outer = beyond.polygons().front().outer;
+  geometry::Point low = outer.front(), high = low;
+  for (const geometry::Point& p : outer) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const geometry::Point middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const Rational z = (slabs[k].floor + slabs[k].ceiling) / 2;
+  const Rational radius = in_m(s.decision.body.radius_mm);
+  if (slabs[k].ceiling - slabs[k].floor < 2 * radius || !is_clear(beyond, middle, radius)) {
+    return std::nullopt;
+  }
+  return Spot{in_mm(middle.x), in_mm(middle.y), in_mm(z)};
+}
+
+bool is_too_low(const ir::ZoneTable& zone, std::size_t slab, std::int64_t aim_mm) {
+  if (!zone.has_height()) return false;
+  return zone.slabs[slab].ceiling_mm - zone.slabs[slab].floor_mm <= 2 * aim_mm;
+}
+// A slab that is too low to give control back in, and from which nothing leads straight up or down
+// to another one: a run that begins there may show it, and says so if it does.
+Obligation too_low(const Subject& s, const ir::Monitor& m, const std::vector<geometry::Slab>& slabs,
+                   std::size_t k, std::int64_t aim_mm, Obligation o) {
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  const std::int64_t floor_mm = in_mm(slabs[k].floor), ceiling_mm = in_mm(slabs[k].ceiling);
+  const std::int64_t high_mm = 2 * aim_mm + 1;
+  const std::string between = metres(floor_mm) + " and " + metres(ceiling_mm);
+  o.because = "between " + between + " " + quoted(s.module[last.zone].name) + " is " +
+              metres(ceiling_mm - floor_mm) + " high, and no leg leads straight up or down from " +
+              "all of that to where control is given back, " + metres(aim_mm) +
+              " from the boundary";
+  o.repair = metres(high_mm) + " between the two would be high enough there";
+  const auto spot = in_the_gap(s, slabs, k);
+  bool asks = false;  // its own property is what keeps control there
+  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+    const auto least = ir::lower_bound(block, c, s.decision.facts.params);
+    asks = asks || (least && least->leaf.kind == ir::Leaf::Kind::clearance);
+  });
+  if (!spot || !asks) return o;
+  // at least as long as legs take that are as long as the zone is wide, deep and high
+  const auto [dx, dy, up] = analysis::extent_of(s.module, s.module[last.zone]);
+  o.status = Status::refuted;
+  o.by_a_run = true;
+  o.starts = {{{spot->x_mm, spot->y_mm, spot->z_mm}}};
+  o.patience_s += 2 * (dx + dy + up) / std::max<std::int64_t>(1, last.speed_mmps);
+  return o;
+}
+
+Claim legs_claim(const Subject& s, const ir::Monitor& m, std::int64_t aim_mm) {
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  Claim claim = place_claim(s, last.zone, 0, 0, last.return_clearance_mm);
+  claim.what = "legs";
+  claim.values["aim_mm"] = std::to_string(aim_mm);
+  claim.values["monitor"] = m.name;
+  return claim;
+}
+
 }  // namespace
 
 // RetreatInSpace tries legs up or down, and then level ones to the nearest cells, at a glance
@@ -316,10 +381,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   const ir::ZoneTable& zone = s.module[last.zone];
   // it may come to rest beside where its legs end
   const std::int64_t aim_mm = last.return_clearance_mm + s.decision.body.end_reach_mm;
-  Claim claim = place_claim(s, last.zone, 0, 0, last.return_clearance_mm);
-  claim.what = "legs";
-  claim.values["aim_mm"] = std::to_string(aim_mm);
-  claim.values["monitor"] = m.name;
+  Claim claim = legs_claim(s, m, aim_mm);
   bool all_convex = true;
   // the places of the slabs that legs may lead to, once each
   std::vector<std::optional<Spot>> places;
@@ -343,6 +405,9 @@ Obligation legs_back(const Subject& s, std::size_t k) {
       if (!places[to] || !leads_straight(*slabs, from, to)) continue;
       place = places[to];
       claim.values["to_" + std::to_string(from)] = std::to_string(to);
+    }
+    if (!place && is_too_low(zone, from, aim_mm)) {
+      return too_low(s, m, *slabs, from, aim_mm, std::move(o));
     }
     if (!place) return not_in_sight(s, last, std::move(o), hidden);
     const std::string of = "_" + std::to_string(from);
