@@ -103,7 +103,7 @@ TEST(Offers, AReserveThatNoBatteryHasIsNotOffered) {
                      "held <= 1 s; detour <= 10 m");
   };
   EXPECT_TRUE(offers(help_of(text("0.01")), "`held <= "));
-  const std::string help = help_of(text("0.33"));
+  const std::string help = help_of(text("8"));
   EXPECT_FALSE(offers(help, "`held <= ")) << help;
   EXPECT_TRUE(offers(help, "`priority charged > fence;` works")) << help;
 }
