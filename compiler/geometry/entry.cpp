@@ -6,9 +6,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "compiler/geometry/connectors.h"
+#include "compiler/geometry/kept.h"
 
 namespace rtac::geometry {
 namespace {
@@ -518,10 +520,35 @@ class Entering {
   std::int64_t looks_ = 0;
 };
 
+// All but where bodies may be.
+bool same_numbers(const EntryQuery& a, const EntryQuery& b) {
+  const auto numbers = [](const EntryQuery& q) {
+    return std::tuple(q.clearance_mm, q.body_mm, q.least_mm, q.tested_mm, q.loss_mm, q.straight_mm,
+                      q.alone.has_value(), q.alone ? q.alone->aim_mm : 0,
+                      q.alone ? q.alone->reach_mm : 0, q.starts.has_value(), q.seen_off_mm);
+  };
+  return numbers(a) == numbers(b);
+}
+
 }  // namespace
 
 Entry entry(const Table& zone, const Table& fence, const EntryQuery& query) {
-  return Entering(zone, fence, query).run();
+  struct Question {
+    Drawn zone, fence;
+    EntryQuery query;
+    std::vector<Rational> starts;  // the coordinates of each ring, after how many there are
+    bool operator==(const Question& q) const {
+      return zone == q.zone && fence == q.fence && same_numbers(query, q.query) &&
+             starts == q.starts;
+    }
+  };
+  thread_local Kept<Question, Entry> kept;
+  Question question{{zone.edges, zone.cells}, {fence.edges, fence.cells}, query, {}};
+  for (const Ring& ring : query.starts ? query.starts->rings() : std::vector<Ring>{}) {
+    question.starts.emplace_back(static_cast<unsigned long>(ring.size()));
+    for (const Point& p : ring) question.starts.insert(question.starts.end(), {p.x, p.y});
+  }
+  return kept.find(std::move(question), [&] { return Entering(zone, fence, query).run(); });
 }
 
 }  // namespace rtac::geometry

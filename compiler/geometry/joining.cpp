@@ -1,13 +1,13 @@
 #include "compiler/geometry/joining.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "compiler/geometry/connectors.h"
+#include "compiler/geometry/kept.h"
 
 namespace rtac::geometry {
 namespace {
@@ -239,32 +239,10 @@ class Joining {
 
 }  // namespace
 
-// The same is asked of a recovery again and again: for each monitor, what bounds its time, what it
-// is rechecked by. The last answers are kept.
 Joins joins(const std::vector<EdgeRow>& edges, const CellGrid& cells, const JoinQuery& query) {
-  struct Asked {
-    std::vector<EdgeRow> edges;
-    std::vector<std::int32_t> clearance_mm;
-    std::array<std::int32_t, 4> cells;
-    JoinQuery query;
-    Joins found;
-  };
-  constexpr std::size_t kept = 12;
-  thread_local std::deque<Asked> last;
-  const std::array<std::int32_t, 4> grid{cells.origin.x_mm, cells.origin.y_mm, cells.cell_mm,
-                                         cells.columns};
-  for (const Asked& asked : last) {
-    if (asked.query == query && asked.cells == grid &&
-        asked.clearance_mm == cells.clearance_mm_lo &&
-        std::ranges::equal(asked.edges, edges, [](const EdgeRow& a, const EdgeRow& b) {
-          return a.a == b.a && a.b == b.b;
-        })) {
-      return asked.found;
-    }
-  }
-  last.push_front({edges, cells.clearance_mm_lo, grid, query, Joining(edges, cells, query).run()});
-  if (last.size() > kept) last.pop_back();
-  return last.front().found;
+  thread_local Kept<std::pair<Drawn, JoinQuery>, Joins> kept;
+  return kept.find({Drawn(edges, cells), query},
+                   [&] { return Joining(edges, cells, query).run(); });
 }
 
 }  // namespace rtac::geometry

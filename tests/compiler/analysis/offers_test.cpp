@@ -99,11 +99,12 @@ TEST(Offers, NumbersOfTheEnergyClauseAreTriedTogether) {
 // A reserve that no battery has is none that works.
 TEST(Offers, AReserveThatNoBatteryHasIsNotOffered) {
   const auto text = [](const std::string& idle) {
-    return yard_with(fence(""), "priority fence > charged;", "idle <= " + idle + " %/s",
-                     "held <= 1 s; detour <= 10 m");
+    return edited(yard_with(fence(""), "priority fence > charged;", "idle <= " + idle + " %/s",
+                            "held <= 1 s; detour <= 10 m"),
+                  "retreat within yard speed 0.2 m/s", "retreat within yard speed 2 mm/s");
   };
   EXPECT_TRUE(offers(help_of(text("0.01")), "`held <= "));
-  const std::string help = help_of(text("8"));
+  const std::string help = help_of(text("0.33"));
   EXPECT_FALSE(offers(help, "`held <= ")) << help;
   EXPECT_TRUE(offers(help, "`priority charged > fence;` works")) << help;
 }
