@@ -416,8 +416,17 @@ class Pair {
       entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
       return false;
     }
+    if (!begins_in_its_zone(last)) return false;
     const Ways ways = ways_of(module_, decision_, last);
     return lies_within(*seconds, Rational(ways.longest_mm ? *ways.longest_mm : 0, 1000));
+  }
+  // The way is reckoned over the cells of its zone, and not from outside of that.
+  bool begins_in_its_zone(const ir::Recovery& last) {
+    if (!ir::moves(last.kind) || starts_within(take_over_, last.zone)) return true;
+    entry_.why = "from outside of " + name_as_written(module_[last.zone]) + " " +
+                 quoted(recovery_.name) +
+                 " makes straight for it, and nothing bounds how much charge that takes";
+    return false;
   }
   // It takes charge wherever it ends, which need not be where that is taken up.
   [[nodiscard]] bool stays_away() const {

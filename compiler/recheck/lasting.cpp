@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/return_when.h"
@@ -154,6 +155,14 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
   return std::nullopt;
 }
 
+// Whether it takes over in its zone, as far as is known while the charge suffices.
+bool begins_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                   sema::ZoneId zone) {
+  const auto charge = std::ranges::find_if(
+      d.priority, [&](sema::MonitorId id) { return speaks_of_charge(*spec[id].always); });
+  return charge != d.priority.end() && starts_within(spec, d, claims, spec[*charge], zone);
+}
+
 }  // namespace
 
 bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
@@ -196,6 +205,9 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (said->back < claims.return_clearance(decision, said->zone, micro(*extra_us)) ||
       said->aim < said->back + std::max(Rational(1, 50), error) + error) {
     return wrong("control may not be given back with that clearance");
+  }
+  if (!begins_within(spec, decision, claims, said->zone)) {
+    return wrong("it may begin outside of its zone, from where no way is reckoned");
   }
   Rational after = 0;
   if (auto doubt = ends(spec, decision, claims, monitor, said->back, after)) return doubt;

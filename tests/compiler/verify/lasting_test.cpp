@@ -8,9 +8,32 @@ namespace {
 
 // Two carts with batteries, which are held and driven for as long as is declared.
 std::string carts() {
-  const std::string refuted = spec_text("tests/compiler/verify/refuted/detour.rta");
-  return edited(edited(refuted, "held <= 60 s", "held <= 120 s"), "detour <= 10 cm",
-                "detour <= 2 m");
+  return R"(spec detour;
+zone yard = rectangle (0 m, 0 m) to (8 m, 8 m);
+
+robot Cart {
+  body     radius 10 cm;
+  motion   unicycle { speed <= 0.3 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 10 rad/s^2; }
+  sense    position : point   error 1 cm    max_age 100 ms;
+  sense    heading  : angle   error 2 deg   max_age 100 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 100 ms;
+  sense    battery  : ratio   error 1 %     max_age 2 s;
+  hears    other robots       max_age 100 ms;
+  output   drive    : twist;
+  latency  20 ms;
+  energy   { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 120 s; detour <= 2 m; }
+}
+
+fleet one, two : Cart;
+site  home(one) = (1 m, 1 m);
+site  home(two) = (3 m, 5 m);
+controller explore  : advanced for Cart extern;
+controller inwards  : safe for Cart = retreat within yard speed 0.2 m/s;
+controller go_home  : safe for Cart = route to home within yard speed 0.2 m/s;
+monitor walls   for c : Cart { "SR-1: in the yard" always c inside yard; recover inwards; }
+monitor charged for c : Cart { "SR-2: home again" always c.battery >= energy_to(home(c)) + 5 %; recover go_home; }
+decision drive for Cart { advanced explore; period 100 ms; priority walls > charged; }
+)";
 }
 
 class Lasting : public Verify {
@@ -78,6 +101,26 @@ TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
     EXPECT_EQ(o.status, exit_violation) << to;
     EXPECT_NE((o.out + o.err).find(why), std::string::npos) << to << "\n" << o.out << o.err;
   }
+}
+
+// The way of a recovery is found over the cells of its zone: where it may take over outside of
+// that, it takes more charge than the claim says, and may take any.
+constexpr const char* inside_walls = "always c inside yard; recover inwards;";
+constexpr const char* inside_more =
+    "always c inside grow(yard, 5 m); recover inwards; return when c inside yard;";
+TEST_F(Lasting, WhatBeginsOutsideOfTheZoneIsNotReckonedWith) {
+  prove(carts());
+  const Outcome o = with_source(inside_walls, inside_more);
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE((o.out + o.err).find("it may begin outside of its zone"), std::string::npos) << o.out;
+}
+TEST_F(Lasting, WhatBeginsOutsideOfTheZoneKeepsNoCharge) {
+  const Outcome o = verified(edited(carts(), inside_walls, inside_more));
+  EXPECT_NE(o.status, exit_clean) << o.out << o.err;
+  EXPECT_NE(o.out.find("from outside of `yard` `inwards` makes straight for it, and nothing bounds "
+                       "how much charge that takes"),
+            std::string::npos)
+      << o.out;
 }
 
 TEST_F(Lasting, AMutatedBoundIsNoticed) {
