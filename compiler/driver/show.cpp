@@ -160,7 +160,8 @@ class Showing {
     if (robots.empty()) return;
     int tried = 0;
     bool cut = false;
-    for (const Json& scenario : aimed_at(o, robots, charge_of(d, o.in_turns))) {
+    for (Json& scenario : aimed_at(o, robots, charge_of(d, o.in_turns))) {
+      blame(d, o, scenario);
       if (attempts_ == attempts_max) break;
       ++attempts_;
       ++tried;
@@ -185,6 +186,29 @@ class Showing {
   // That a recovery may break it: a run in which it fails says nothing of others.
   static bool accepted(const sema::Decision& d, sema::MonitorId id) {
     return std::ranges::any_of(d.acknowledgements, [&](const auto& a) { return a.monitor == id; });
+  }
+  // What counts is that its own recovery drives into the violation, and none of those of which it
+  // is accepted that they may break the property.
+  void blame(const verify::Decision& d, const Obligation& o, Json& scenario) const {
+    if (o.in_turns || o.monitor.empty() || about_return(o)) return;
+    const sema::Monitor* own = nullptr;
+    for (const sema::Decision& written : c_.spec->decisions) {
+      if (written.name != d.name) continue;
+      for (const sema::Acknowledgement& a : written.acknowledgements) {
+        const std::string& recovery = (*c_.spec)[a.recovery].name;
+        if ((*c_.spec)[a.monitor].name != o.monitor || recovery == o.recovery) continue;
+        scenario["not_driven_by"].push_back(recovery);
+      }
+      for (const sema::MonitorId id : written.priority) {
+        if ((*c_.spec)[id].name == o.monitor) own = &(*c_.spec)[id];
+      }
+    }
+    if (o.declared) return;  // whoever keeps it waiting, its own recovery drives in the end
+    if (o.kind == Kind::keeps) {
+      scenario["driven_by"] = o.recovery;
+    } else if (o.kind == Kind::p2a && own != nullptr && own->recover) {
+      scenario["driven_by"] = (*c_.spec)[*own->recover].name;
+    }
   }
   // The first monitor of the decision that speaks of charge; "": there is none, or, if it has to be
   // kept, it is accepted that it need not be.

@@ -200,6 +200,7 @@ class Program {
     to.problem = prepared(index, seed, to.setup, decision);
     if (to.problem) return;
     to.problem = run(decision, functions_[index], to.setup, none, to.outcome, until_s_);
+    if (!as_asked(to.setup.asked, to.outcome.drove)) to.outcome.violation = {};
   }
   // Runs know nothing of each other: as many at once as there are jobs. What one of them throws is
   // thrown here, when all have ended.

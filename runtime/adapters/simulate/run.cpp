@@ -64,7 +64,7 @@ class Watcher final : public SystemObserver {
  public:
   // `standing`: by robot, who is told to stand from now on.
   Watcher(const DecisionCase& decision, const Setup& setup, TimeUs jitter_us, Arena& arena,
-          Tape& tape, Outcome& outcome, std::vector<bool>& standing)
+          Tape& tape, Outcome& outcome, std::vector<bool>& standing, Blame& blame)
       : decision_(decision),
         setup_(setup),
         jitter_us_(jitter_us),
@@ -72,11 +72,13 @@ class Watcher final : public SystemObserver {
         tape_(tape),
         outcome_(outcome),
         standing_(standing),
+        blame_(blame),
         kept_from_us_(decision.robots.size(), never_us) {
     outcome_.ticks.assign(decision.monitors.size() + 1, 0);
   }
   void on_decision(const DecisionRecord& record) override {
     arena_.found(record);
+    blame_.decided(record);
     standing_[static_cast<std::size_t>(record.robot)] =
         record.mode != 0 &&
         (record.gate == Gate::hold ||
@@ -142,6 +144,7 @@ class Watcher final : public SystemObserver {
   Tape& tape_;
   Outcome& outcome_;
   std::vector<bool>& standing_;
+  Blame& blame_;
   std::vector<TimeUs> kept_from_us_;  // by robot
 };
 
@@ -287,11 +290,15 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   Arena arena(surroundings, decision.properties, decision.limits, robots);
   arena.watch(world.truths());
   sim::Referee referee(surroundings, decision.properties, robots, setup.about);
+  Blame blame(decision.robots.size(), decision.monitors.size());
   int steps = 0;
   sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
     crowd.move(now_us);
     referee.observe(now_us, world.truths());
     const sim::Violation& violation = referee.first_violation();
+    if (referee.violated() && to.drove.empty()) {
+      to.drove = blame.who(violation.monitor, violation.robot);
+    }
     const bool returns = lasts(setup);
     if (!returns && referee.violated() && now_us >= violation.time_us + after_violation_us) {
       world.stop();
@@ -303,7 +310,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
     }
   });
   Fleet<Output> fleet(decision, kernel, setup, arena, crowd, tape);
-  Watcher watcher(decision, setup, kernel.jitter_us, arena, tape, to, standing);
+  Watcher watcher(decision, setup, kernel.jitter_us, arena, tape, to, standing, blame);
   if (!fleet.start(hostile, watcher)) {
     return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",
             "install `rtac` and `rtac-sim` of the same version", true};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "blame.h"
 #include "case.h"
 #include "inputs.h"
 #include "kernel.h"
@@ -31,6 +32,7 @@ struct Setup {
   std::vector<RobotStart> starts;
   int about = -1;               // the only monitor whose violation counts; -1: all
   TimeUs return_within_us = 0;  // how long a recovery may keep a robot; 0: for ever
+  Asked asked;                  // who drives into the violation that counts
   bool undecided = false;       // looks for commands that act longer than is looked ahead
 };
 // A time in which something should have happened: control given back, or a decision.
@@ -41,6 +43,7 @@ struct Kept {
 };
 struct Outcome {
   sim::Violation violation;
+  std::vector<Drove> drove;             // into it
   std::vector<sim::LeastMargin> least;  // by monitor
   std::vector<std::int64_t> ticks;      // by mode, over all robots
   std::int64_t engagements = 0;         // a recovery takes over from the advanced controller

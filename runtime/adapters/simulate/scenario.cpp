@@ -112,6 +112,7 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
   constexpr std::pair<const char*, const char*> forms[] = {
       {"starts", R"(`"starts": {"r1": {"at": [1, 2]}}` works, or `"starts": "tight"`)"},
       {"inputs", R"(`"inputs": {"open": true}` works)"},
+      {"not_driven_by", R"(`"not_driven_by": ["back"]` works)"},
       {"undecided", "`true` and `false` work"}};
   for (const auto& [of, help] : forms) {
     if (key == of) throw Unfit{"`" + key + "` of the scenario is " + value.dump(), help};
@@ -120,7 +121,7 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
       "the scenario has `" + key + "`: " + value.dump(),
       "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
       "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
-      "`return_within_s`, `undecided` and `deaf_from_s`"};
+      "`driven_by`, `not_driven_by`, `return_within_s`, `undecided` and `deaf_from_s`"};
 }
 
 void take(const std::string& key, const Json& value, Scenario& to) {
@@ -156,6 +157,10 @@ void take(const std::string& key, const Json& value, Scenario& to) {
     to.jitter_us = time(value, key, us_per_ms);
   } else if (key == "about") {
     to.about = text(value, key);
+  } else if (key == "driven_by") {
+    to.driven_by = text(value, key);
+  } else if (key == "not_driven_by" && value.is_array()) {
+    for (const Json& each : value) to.not_driven_by.push_back(text(each, key));
   } else if (key == "deaf_from_s") {
     to.deaf_from_us = time(value, key, us_per_s);
   } else if (key == "undecided" && value.is_boolean()) {
@@ -287,6 +292,10 @@ Problem read_scenario(const std::string& text, Scenario& to) {
 
 namespace {
 
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool has_battery(const RobotLimits& l) {
   const double most[] = {l.battery_error, l.drive_per_m, l.idle_per_s, l.drain_per_s};
   return l.battery_age_us > 0 ||
@@ -314,6 +323,29 @@ Problem check_starts(const Scenario& scenario, const Case& all) {
   return {};
 }
 
+// Of monitors and of recoveries.
+Problem check_about(const Scenario& scenario, const Case& all) {
+  std::vector<std::string> monitors, recoveries;
+  for (const DecisionCase& d : all.decisions) {
+    for (const MonitorCase& m : d.monitors) {
+      monitors.push_back(m.name);
+      if (!is_in(recoveries, m.recovery.name)) recoveries.push_back(m.recovery.name);
+    }
+  }
+  if (!scenario.about.empty() && !is_in(monitors, scenario.about)) {
+    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist",
+            "there are " + listed(monitors)};
+  }
+  std::vector<std::string> named = scenario.not_driven_by;
+  if (!scenario.driven_by.empty()) named.push_back(scenario.driven_by);
+  for (const std::string& name : named) {
+    if (is_in(recoveries, name)) continue;
+    return {"the scenario names a recovery `" + name + "`, which no monitor has",
+            "there are " + listed(recoveries)};
+  }
+  return {};
+}
+
 }  // namespace
 
 Problem check_names(const Scenario& scenario, const Case& all) {
@@ -328,18 +360,7 @@ Problem check_names(const Scenario& scenario, const Case& all) {
   std::vector<std::string> robots;
   for (const auto& [robot, name] : scenario.adversary_of) robots.push_back(robot);
   for (const auto& [robot, start] : scenario.starts) robots.push_back(robot);
-  const auto speaks = [&](const DecisionCase& d) {
-    return std::any_of(d.monitors.begin(), d.monitors.end(),
-                       [&](const MonitorCase& m) { return m.name == scenario.about; });
-  };
-  if (!scenario.about.empty() && std::none_of(all.decisions.begin(), all.decisions.end(), speaks)) {
-    std::vector<std::string> there;
-    for (const DecisionCase& d : all.decisions) {
-      for (const MonitorCase& m : d.monitors) there.push_back(m.name);
-    }
-    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist",
-            "there are " + listed(there)};
-  }
+  if (Problem problem = check_about(scenario, all)) return problem;
   for (const std::string& robot : robots) {
     const bool there =
         std::any_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {

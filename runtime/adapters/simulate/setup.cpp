@@ -53,6 +53,16 @@ bool stands(const DecisionCase& d, const std::vector<TruthState>& truths) {
   return true;
 }
 
+// By mode, whether its recovery is called so.
+std::vector<bool> modes_of(const DecisionCase& d, const std::vector<std::string>& recoveries) {
+  std::vector<bool> modes{false};  // the advanced controller
+  for (const MonitorCase& m : d.monitors) {
+    modes.push_back(std::find(recoveries.begin(), recoveries.end(), m.recovery.name) !=
+                    recoveries.end());
+  }
+  return modes;
+}
+
 const Start* named(const Scenario& scenario, const std::string& robot) {
   for (const auto& [name, start] : scenario.starts) {
     if (name == robot) return &start;
@@ -154,6 +164,9 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   for (std::size_t m = 0; m < d.monitors.size(); ++m) {
     if (d.monitors[m].name == scenario.about) to.about = static_cast<int>(m);
   }
+  to.asked = {};
+  if (!scenario.driven_by.empty()) to.asked.driven_by = modes_of(d, {scenario.driven_by});
+  to.asked.not_driven_by = modes_of(d, scenario.not_driven_by);
   to.adversary =
       scenario.adversary.empty() ? fit[seed % fit.size()] : find_adversary(scenario.adversary);
   to.of_robot.assign(d.robots.size(), to.adversary);

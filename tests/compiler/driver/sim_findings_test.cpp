@@ -89,6 +89,24 @@ TEST_F(Findings, TightStartsOfASoundSpecificationAreSurvived) {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// Whose drone is pushed out by what its look-ahead leaves out counts for the recovery that drives
+// it then, and for no other one.
+TEST_F(Findings, AViolationCountsForWhoDrivesIntoIt) {
+  const auto driven = [](const std::string& by) {
+    write("spec.rta", drone_spec());
+    write("s.json", R"({"runs": 20, "duration_s": 30, "about": "walls")" + by + "}");
+    return rtac({"sim", "spec.rta", "--scenario", "s.json", "--mutate", "no-stopping-distance",
+                 "--trace", "found.trace"});
+  };
+  const Outcome own = driven(R"(, "driven_by": "back_off")");
+  EXPECT_EQ(own.status, exit_violation) << own.out << own.err;
+  const Outcome accepted = driven(R"(, "not_driven_by": ["back_off"])");
+  EXPECT_EQ(accepted.status, exit_clean) << accepted.out << accepted.err;
+  const Outcome nobody = driven(R"(, "driven_by": "nobody")");
+  EXPECT_EQ(nobody.status, exit_usage) << nobody.out << nobody.err;
+  EXPECT_NE(nobody.err.find("there are `back_off`"), std::string::npos) << nobody.err;
+}
+
 TEST_F(Findings, ScenariosNameMonitorsThatExist) {
   EXPECT_EQ(simulated("", R"({"about": "ceiling"})").status, exit_usage);
   EXPECT_EQ(simulated("", R"({"return_within_s": 0})").status, exit_usage);

@@ -108,6 +108,49 @@ decision drive for Bot { advanced nav; period 50 ms; priority dry; }
   EXPECT_EQ(refuted, (std::set<std::string>{"P2a", "P2b"})) << o.out;
 }
 
+// Robots that come too close while each of them waits for the other one, which is accepted, have
+// not been led there by the way home.
+TEST_F(Shown, ARunInWhichAnotherRecoveryDrivesShowsNothingOfAPair) {
+  write("few.rta", R"(spec few;
+zone yard = rectangle (0 m, 0 m) to (30 m, 30 m);
+robot Tug {
+  body radius 40 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 60 ms;
+  sense velocity : vector error 2 cm/s max_age 60 ms;
+  hears other robots max_age 200 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet tugs : Tug[3];
+site base = (15 m, 15 m);
+controller nav : advanced for Tug extern;
+controller home : safe for Tug = route to base within yard speed 0.4 m/s;
+controller back : safe for Tug = retreat within yard speed 0.4 m/s;
+monitor fence for t : Tug { "R1: in" always t inside yard; ahead 100 ms; recover home; }
+monitor few for t : Tug {
+  "R2: nobody within 3 m"
+  always count(u : Tug, u != t : distance(t, u) <= 3 m) <= 0;
+  ahead 100 ms; recover back;
+}
+decision drive for Tug {
+  advanced nav; period 50 ms; priority fence > few;
+  acknowledge back may break few "it waits";
+}
+)");
+  const Outcome o = rtac({"verify", "few.rta", "--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  const Json report = Json::parse(o.out);
+  bool found = false;
+  for (const Json& obligation : report["decisions"][0]["obligations"]) {
+    if (obligation.value("recovery", "") != "home") continue;
+    found = true;
+    EXPECT_EQ(obligation["status"], "unknown") << obligation;
+    EXPECT_FALSE(obligation.contains("trace")) << obligation;
+  }
+  EXPECT_TRUE(found) << o.out;
+}
+
 // A simulator whose trace is longer than what is read again: what it has shown is shown.
 class Unrecorded : public InFolder {
  protected:
