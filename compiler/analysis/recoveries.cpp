@@ -136,23 +136,22 @@ class Recoveries {
   void waits_slow(bool yields) {
     const std::int64_t from_rest_mmps =
         fastest_from_rest(decision_, monitor_.lookahead.duration_us);
-    const std::string mmps = to_decimal(Rational(from_rest_mmps, 1000));
     diag::Diagnostic d = finding(
         Code::recovery_stands,
         "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
             ": where `" + monitor_.name + "` asks it to be slow, it is never given back");
     d.label = "does not lead to where it may be faster";
-    d.notes.push_back(
-        {std::nullopt, "from rest the robot may reach " + mmps + " m/s before a recovery acts"});
+    d.notes.push_back({std::nullopt, from_rest_text(spec_[controller_.kind], from_rest_mmps)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const bool received = ir::asks_for_received(monitor_.property);
     const std::string leads =
         received ? ""
                  : "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`, or ";
     // as fast as it may ever be no limit says anything
-    const std::string limits = from_rest_mmps < decision_.motions.front().speed_mmps
-                                   ? "limits of at least " + mmps + " m/s work, or "
-                                   : "";
+    const std::string limits =
+        from_rest_mmps < decision_.motions.front().speed_mmps
+            ? "limits of at least " + to_decimal(Rational(from_rest_mmps, 1000)) + " m/s work, or "
+            : "";
     d.help = limits + leads + "`hold when violated \"why\";` in the monitor" +
              (limits.empty() ? " works" : "");
     diagnostics_.report(std::move(d));

@@ -163,9 +163,8 @@ class Limits {
           "latency and an `ahead` that are shorter";
     }
     report(limit,
-           "monitor `" + monitor_.name +
-               "` can never hand control back: from rest the robot may reach " +
-               speed_text(need_mmps_) + " before a recovery acts",
+           "monitor `" + monitor_.name + "` can never hand control back: " +
+               from_rest_text(of_.spec[of_.written.kind], need_mmps_),
            std::move(help));
   }
   void report_too_fast(const Limit& limit, std::size_t k, bool of_a_choice) {
@@ -264,6 +263,13 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
   const Rational gained = (speeds_up * us + changes * apart_us) / 1'000'000;
   const std::int64_t mmps = 2 * body.velocity_error_mmps + grid_mmps + ceil_to_int(gained);
   return std::min(decision.motions[0].speed_mmps, mmps);
+}
+
+std::string from_rest_text(const sema::RobotKind& kind, std::int64_t mmps) {
+  const std::string until = speed_text(mmps) + " before a recovery acts";
+  if (!kind.motion.turn) return "from rest the robot may reach " + until;
+  return "from rest the look-ahead takes it for up to " + until +
+         ", as it counts turning like speeding up";
 }
 
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {

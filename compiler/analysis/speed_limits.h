@@ -1,6 +1,7 @@
 // Limits of speed: whether recoveries keep them, and whether control can come back.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "compiler/analysis/decided.h"
@@ -11,6 +12,10 @@ namespace rtac::analysis {
 // What the kernel may take a robot at rest for, until a recovery would act: control returns at rest
 // where a limit of speed is no lower.
 std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us);
+
+// What is said of that, in mm/s. The look-ahead bounds changes of the velocity alone: of wheels,
+// each of which is a turn or a change of the speed, that is more than they can speed up by.
+std::string from_rest_text(const sema::RobotKind& kind, std::int64_t mmps);
 
 // How fast the recovery of monitor `k` may truly be while it drives: a point mass follows the speed
 // that it measures, is wrong about that by the error of its velocity, and overshoots by its delays.

@@ -55,6 +55,23 @@ TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
   said(text_of("0.268 m/s", "0.1 m/s"));
 }
 
+// A cart that turns at 2 m/s with 2 rad/s speeds up by 1 m/s^2 all the same, and no number of the
+// look-ahead is told as one of the cart.
+TEST(SpeedLimits, OfWheelsTheLookAheadCountsTurningLikeSpeedingUp) {
+  std::string text = edited(text_of("0.2 m/s", "0.1 m/s"), "output   thrust : acceleration;",
+                            "output   thrust : twist;\n"
+                            "  sense    heading  : angle   error 1 deg   max_age 50 ms;");
+  text = edited(text, "point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }",
+                "unicycle { speed <= 2 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; "
+                "turn_accel <= 8 rad/s^2; }");
+  const std::string message = said(text);
+  EXPECT_EQ(message.find("the robot may reach"), std::string::npos) << message;
+  EXPECT_NE(message.find("never hand control back: from rest the look-ahead takes it for up to "),
+            std::string::npos)
+      << message;
+  EXPECT_NE(message.find("as it counts turning like speeding up"), std::string::npos) << message;
+}
+
 // One that is as high as the declared speed is no limit (7004), and no help.
 TEST(SpeedLimits, NoneIsOfferedThatFindsNothing) {
   const std::string wide = edited(text_of("0.9 m/s", "0.8 m/s"), "(6 m, 4 m)", "(30 m, 30 m)");
