@@ -236,11 +236,9 @@ class Pair {
                 std::optional<std::int64_t> beyond_mm) {
     if (exact_(fence).contains(exact_(step.zone))) return true;
     const geometry::Region beyond = exact_(step.zone).subtract(exact_(fence));
-    const Rational square_mm(ceil_to_int(Rational(beyond.area() * 1'000'000)));
     const std::string name = name_as_written(module_[fence]);
-    entry_.why = to_decimal(Rational(square_mm / 1'000'000)) + " m^2 of " +
-                 name_as_written(module_[step.zone]) + ", where " + quoted(recovery_.name) +
-                 " may drive, lie outside " + name;
+    entry_.why = square_metres(beyond.area()) + " of " + name_as_written(module_[step.zone]) +
+                 ", where " + quoted(recovery_.name) + " may drive, lie outside " + name;
     offer_within(step.zone, fence);
     offer_shared(step.zone, fence, beyond_mm);
     return false;

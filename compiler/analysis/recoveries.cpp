@@ -327,7 +327,7 @@ class Recoveries {
         {std::nullopt,
          "the clearance there is " + metres(part.clearance_mm) + ", control returns at " +
              metres(last.return_clearance_mm) + "; the part has about " +
-             to_decimal(Rational(part.cells * cell_mm * cell_mm, 1'000'000)) + " m^2" +
+             square_metres(Rational(part.cells * cell_mm * cell_mm, 1'000'000)) +
              (ways.stranded.size() > 1
                   ? ", and there are " + std::to_string(ways.stranded.size() - 1) + " more"
                   : "")});

@@ -23,8 +23,7 @@ using geometry::Region;
 constexpr std::int64_t rounded_mm = 5;
 
 std::string area(const Region& region) {
-  const std::int64_t square_mm = ceil_to_int(Rational(region.area() * 1'000'000));
-  return to_decimal(Rational(square_mm, 1'000'000)) + " m^2";
+  return square_metres(region.area());
 }
 // A corner that does not lie in the other region as well.
 std::string some_place(const Region& region, const Region& outside_of) {

@@ -137,7 +137,17 @@ class Tree {
     if (!j.is_null()) j["is"] = value;
     return j;
   }
-  // Plans, the past, windows of time, numbers that are computed of inputs.
+  Json node(const Expr&, const sema::ZoneOpen&) { return of_a_clock(); }
+  Json node(const Expr&, const sema::WhileOpen&) { return of_a_clock(); }
+  Json of_a_clock() { return refuse("a zone with times, and runs have no time of day"); }
+  Json node(const Expr&, const sema::HeldFor&) { return of_the_past(); }
+  Json node(const Expr&, const sema::Previously&) { return of_the_past(); }
+  Json node(const Expr&, const sema::Past&) { return of_the_past(); }
+  Json node(const Expr&, const sema::Since&) { return of_the_past(); }
+  Json node(const Expr&, const sema::WithinOf&) { return of_the_past(); }
+  Json node(const Expr&, const sema::Aggregate&) { return of_the_past(); }
+  Json of_the_past() { return refuse("the past, which runs do not follow"); }
+  // Plans, numbers that are computed of inputs.
   template <class Other>
   Json node(const Expr&, const Other&) {
     return refuse("what the true state of a robot does not tell");

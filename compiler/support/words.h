@@ -17,6 +17,15 @@ inline std::string metres(const Rational& m) {
 inline std::string metres(std::int64_t mm) {
   return metres(Rational(mm, 1000));
 }
+// To three significant digits, from above.
+inline std::string square_metres(const Rational& area) {
+  constexpr long least = 100, most = 1000;
+  if (area <= 0) return "0 m^2";
+  Rational unit = 1;
+  while (area < least * unit) unit /= 10;
+  while (area > most * unit) unit *= 10;
+  return to_decimal(ceil_to_int(Rational(area / unit)) * unit) + " m^2";
+}
 inline std::string percent(std::int64_t ppm) {
   return to_decimal(Rational(ppm, 10'000)) + " %";
 }

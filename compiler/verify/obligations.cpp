@@ -157,6 +157,7 @@ std::optional<Kind> refuted_by(Code code) {
     case Code::others_unkept:
     case Code::agent_unkept:
       return Kind::p2a;
+    case Code::site_outside_zone:
     case Code::return_set_empty:
     case Code::site_not_returnable:
     case Code::site_unreachable:
@@ -267,6 +268,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   o.because = d.message;
   o.repair = d.help;
   o.by_a_run = analysis::comes_nearer(d);
+  if (d.code == Code::site_outside_zone) o.not_shown = "no way can end there, and no run has to";
   const bool of_decision = kind == Kind::joint_return;
   std::size_t at = 0;
   for (const sema::Monitor& m : spec.monitors) {
@@ -445,6 +447,8 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
   drop_untried(found, report);
   for (const diag::Diagnostic& d : found) {
     if (diag::info(d.code).severity != diag::Severity::error) continue;
+    // of a place that is read, and no recovery leads to
+    if (d.code == Code::site_outside_zone && d.monitor.empty()) continue;
     const auto kind =
         analysis::is_apart_for_ever(d) ? std::optional(Kind::joint_return) : refuted_by(d.code);
     // what the matrix says already

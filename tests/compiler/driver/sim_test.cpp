@@ -574,8 +574,19 @@ TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
         "monitor shut { \"R1: closed\" always not open; }\n");
   write("facts.rta", edited(yard("50 ms", "r inside yard or once[0 s, 1 s] open"), "zone yard",
                             "input open : bool;\nzone yard"));
-  for (const std::string name : {"door.rta", "facts.rta"}) {
+  const std::string hours =
+      edited(yard("50 ms", "distance(r, school) >= 1 m"), "zone yard",
+             "clock utc;\nzone school = rectangle (1 m, 1 m) to (2 m, 2 m) during 07:30 .. 16:00;\n"
+             "zone yard");
+  write("hours.rta", edited(hours, "priority fence;",
+                            "priority fence; acknowledge turn_back may break fence \"why\";"));
+  for (const auto& [name, why] :
+       {std::pair<std::string, std::string>("door.rta", "no robot of a fleet"),
+        std::pair<std::string, std::string>("facts.rta", "the past, which runs do not follow"),
+        std::pair<std::string, std::string>("hours.rta",
+                                            "a zone with times, and runs have no time of day")}) {
     const Outcome o = rtac({"sim", name});
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
     EXPECT_EQ(o.status, 4) << name << o.err;
     EXPECT_NE(o.err.find("error[9008]"), std::string::npos) << o.err;
     EXPECT_EQ(o.out, "");

@@ -211,6 +211,24 @@ TEST(RefutedSpecs, AreTwentyOrMore) {
   EXPECT_GE(names().size(), 20u);
 }
 
+// No run has to show that no way leads out of the zone that it is to stay in.
+TEST_F(Verify, ASiteOutsideOfItsZoneIsReachedByNoWay) {
+  const std::string text = spec_text("tests/compiler/verify/refuted/docks.rta");
+  const Outcome o = verified(edited(text, "dock(left) = (1 m, 1 m)", "dock(left) = (90 m, 1 m)"),
+                             {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  bool found = false;
+  const Json report = Json::parse(o.out);
+  for (const Json& each : report["decisions"][0]["obligations"]) {
+    if (each["status"] != "refuted" || each["method"] != "diagnostic 4008") continue;
+    found = true;
+    EXPECT_EQ(each["obligation"], "P2b") << each;
+    EXPECT_NE(each.value("because", "").find("lies outside"), std::string::npos) << each;
+    EXPECT_EQ(each.value("not_shown", ""), "no way can end there, and no run has to");
+  }
+  EXPECT_TRUE(found) << o.out;
+}
+
 // What leaves no doubt about what was meant, but nothing to derive, refutes what it is about.
 TEST_F(Verify, WhatCannotBeDerivedIsRefutedInTheTable) {
   const struct {
