@@ -190,6 +190,7 @@ class Showing {
   // What counts is that its own recovery drives into the violation, and none of those of which it
   // is accepted that they may break the property.
   void blame(const verify::Decision& d, const Obligation& o, Json& scenario) const {
+    if (!o.unmet.empty()) scenario["unmet"] = o.unmet;
     if (o.in_turns || o.monitor.empty() || about_return(o)) return;
     const sema::Monitor* own = nullptr;
     for (const sema::Decision& written : c_.spec->decisions) {

@@ -74,6 +74,8 @@ struct Obligation {
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what
   // the property says; the likeliest first.
   std::vector<Start> starts{};
+  // Of `keeps`: the monitor that the recovery drives for, if it is one of inputs alone.
+  std::string unmet{};
 };
 // How much of what a monitor keeps free the worst motion needs that a search has found, from states
 // that just pass its look-ahead. It refutes, and proves nothing.

@@ -114,7 +114,10 @@ class Prover {
       });
       if (!known) same->claims.push_back(std::move(claim));
     }
-    if (same->starts.empty()) same->starts = std::move(last.starts);
+    if (same->starts.empty()) {
+      same->starts = std::move(last.starts);
+      same->unmet = std::move(last.unmet);
+    }
     same->micros += last.micros;
     all.pop_back();
   }
@@ -211,6 +214,7 @@ void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Ob
     all.push_back(std::move(refuted));
   } else if (pair->status != Status::acknowledged) {
     refuted.starts = std::move(pair->starts);
+    refuted.unmet = std::move(pair->unmet);
     *pair = std::move(refuted);
   }
 }

@@ -628,11 +628,13 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
     o.not_shown = "inputs stay as they are in a run, and agents do not stay";
     return o;
   }
+  const bool of_inputs = atoms_of(i.property).only_facts();
+  if (of_inputs) o.unmet = i.name;
   if (!o.starts.empty() && inputs_decide(s, i, o.starts.front().place_mm)) {
     o.by_a_run = false;
     o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
                  ", its way leads out of what " + quoted(j.name) + " says";
-    o.not_shown = "inputs stay as they are in a run";
+    if (!of_inputs) o.not_shown = "inputs stay as they are in a run";
   }
   return o;
 }

@@ -143,6 +143,23 @@ bool may_be(const sim::Property& p, bool so) {
   }
 }
 
+// Nothing but inputs decides whether it holds.
+bool of_inputs_alone(const sim::Property& p) {
+  if (p.op == sim::PropertyOp::constant || p.op == sim::PropertyOp::truth) return true;
+  return !p.of.empty() && std::all_of(p.of.begin(), p.of.end(), of_inputs_alone);
+}
+
+// The properties where the inputs are so.
+DecisionCase told_of(const DecisionCase& decision, const Told& told) {
+  DecisionCase d = decision;
+  d.measured = told.measured;
+  for (const Mention& m : d.mentions) {
+    const double is = told.is[m.component];
+    at(d.properties[m.monitor], m.path).value = m.wanted ? (is == *m.wanted ? 1 : 0) : is;
+  }
+  return d;
+}
+
 Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& random) {
   Told told;
   for (const Input& input : decision.inputs) {
@@ -162,7 +179,7 @@ Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& r
 
 // The decision with the inputs that a scenario gives; the others may be anything.
 DecisionCase with_given(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
-  DecisionCase d = with_inputs(decision, told);
+  DecisionCase d = told_of(decision, told);
   for (const Mention& m : d.mentions) {
     std::size_t first = 0;
     for (const Input& input : d.inputs) {
@@ -177,18 +194,37 @@ DecisionCase with_given(const DecisionCase& decision, const Scenario& scenario, 
   return d;
 }
 
+// Whether each property can hold somewhere, or is one of inputs alone which the scenario wants to
+// be false, by its name or by what it says of inputs.
+bool fits(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
+  const DecisionCase d = told_of(decision, told), given = with_given(decision, scenario, told);
+  for (std::size_t k = 0; k < d.properties.size(); ++k) {
+    const bool can_hold = may_be(d.properties[k], true);
+    const bool unmet = d.monitors[k].name == scenario.unmet;
+    if (unmet && (can_hold || !of_inputs_alone(d.properties[k]))) return false;
+    if (can_hold || unmet) continue;
+    if (!of_inputs_alone(d.properties[k]) || may_be(given.properties[k], true)) return false;
+  }
+  return true;
+}
+
 // What was drawn last leaves no place where every property holds.
 Problem never_hold(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
   const DecisionCase d = with_given(decision, scenario, told);
   std::string hopeless;
   for (std::size_t k = 0; k < d.properties.size(); ++k) {
-    if (may_be(d.properties[k], true)) continue;
+    if (may_be(d.properties[k], true) || of_inputs_alone(d.properties[k])) continue;
     hopeless += (hopeless.empty() ? "`" : ", `") + d.monitors[k].name + "`";
   }
   if (!hopeless.empty()) {
     return {"with the inputs of the scenario no place is left where " + hopeless + " of `" +
                 decision.name + "` can hold: " + text_of(decision, told),
             "an input that the scenario leaves out is drawn so that properties can hold", true};
+  }
+  if (!scenario.unmet.empty()) {
+    return {"no inputs were found with which `" + scenario.unmet + "` of `" + decision.name +
+                "` is false wherever robots are",
+            "a monitor of inputs alone works", true};
   }
   const auto open =
       std::find_if(decision.inputs.begin(), decision.inputs.end(),
@@ -209,12 +245,9 @@ Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std:
   sim::Random random = sim::Random::stream(seed, input_stream, draw_number);
   for (int n = 0; n < draws; ++n) {
     told = draw(decision, scenario, random);
-    if (decision.mentions.empty()) return {};  // no property depends on them
-    const DecisionCase d = with_inputs(decision, told);
-    if (std::all_of(d.properties.begin(), d.properties.end(),
-                    [](const sim::Property& p) { return may_be(p, true); })) {
-      return {};
-    }
+    // no property depends on them
+    if (decision.mentions.empty() && scenario.unmet.empty()) return {};
+    if (fits(decision, scenario, told)) return {};
   }
   return never_hold(decision, scenario, told);
 }
@@ -236,11 +269,13 @@ bool can_be(const DecisionCase& decision, const Told& told) {
 }
 
 DecisionCase with_inputs(const DecisionCase& decision, const Told& told) {
-  DecisionCase d = decision;
-  d.measured = told.measured;
+  DecisionCase d = told_of(decision, told);
   for (const Mention& m : d.mentions) {
-    const double is = told.is[m.component];
-    at(d.properties[m.monitor], m.path).value = m.wanted ? (is == *m.wanted ? 1 : 0) : is;
+    sim::Property& p = d.properties[m.monitor];
+    if (!of_inputs_alone(p) || may_be(p, true)) continue;
+    p = {};
+    p.op = sim::PropertyOp::truth;
+    p.value = 1;
   }
   return d;
 }

@@ -16,7 +16,8 @@ struct Told {
   std::vector<double> is, measured;
 };
 
-// Such that no property is false whatever the robots do. `draw_number`: of several draws for one
+// Such that no property is false whatever the robots do, but for those of inputs alone that the
+// scenario wants to be. `draw_number`: of several draws for one
 // seed.
 Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
                     std::uint64_t draw_number, Told& told);
@@ -24,7 +25,8 @@ Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std:
 // They are in range, and measured within the error.
 bool can_be(const DecisionCase& decision, const Told& told);
 
-// The same decision where that is so.
+// The same decision where that is so. A property of inputs alone that is false then is none of the
+// robots': it engages its recovery, and nobody is judged by it.
 DecisionCase with_inputs(const DecisionCase& decision, const Told& told);
 
 // `open = true, limit = 0.5`

@@ -121,7 +121,7 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
       "the scenario has `" + key + "`: " + value.dump(),
       "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
       "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
-      "`driven_by`, `not_driven_by`, `return_within_s`, `undecided` and `deaf_from_s`"};
+      "`driven_by`, `not_driven_by`, `unmet`, `return_within_s`, `undecided` and `deaf_from_s`"};
 }
 
 void take(const std::string& key, const Json& value, Scenario& to) {
@@ -159,6 +159,8 @@ void take(const std::string& key, const Json& value, Scenario& to) {
     to.about = text(value, key);
   } else if (key == "driven_by") {
     to.driven_by = text(value, key);
+  } else if (key == "unmet") {
+    to.unmet = text(value, key);
   } else if (key == "not_driven_by" && value.is_array()) {
     for (const Json& each : value) to.not_driven_by.push_back(text(each, key));
   } else if (key == "deaf_from_s") {
@@ -332,8 +334,9 @@ Problem check_about(const Scenario& scenario, const Case& all) {
       if (!is_in(recoveries, m.recovery.name)) recoveries.push_back(m.recovery.name);
     }
   }
-  if (!scenario.about.empty() && !is_in(monitors, scenario.about)) {
-    return {"the scenario is about a monitor `" + scenario.about + "`, which does not exist",
+  for (const std::string& name : {scenario.about, scenario.unmet}) {
+    if (name.empty() || is_in(monitors, name)) continue;
+    return {"the scenario is about a monitor `" + name + "`, which does not exist",
             "there are " + listed(monitors)};
   }
   std::vector<std::string> named = scenario.not_driven_by;

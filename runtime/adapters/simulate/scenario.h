@@ -47,8 +47,9 @@ struct Scenario {
   std::string about;                       // the only monitor whose violation counts; empty: all
   std::string driven_by;                   // the only recovery whose violations count; empty: any
   std::vector<std::string> not_driven_by;  // and those whose violations do not
-  TimeUs return_within_us = 0;             // a robot that is kept so long is a finding; 0: none
-  bool undecided = false;  // a command that acts longer than `about` looks ahead is a finding
+  std::string unmet;            // a monitor of inputs alone, which are such that it is false
+  TimeUs return_within_us = 0;  // a robot that is kept so long is a finding; 0: none
+  bool undecided = false;       // a command that acts longer than `about` looks ahead is a finding
   std::optional<TimeUs> deaf_from_us;                 // from then on no robot hears another one
   std::vector<std::pair<std::string, Given>> inputs;  // what they are; the others are drawn
   bool tight = false;  // robots start where control is only just given

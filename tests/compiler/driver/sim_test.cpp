@@ -528,6 +528,30 @@ TEST_F(Simulations, InputsAreDrawnSoThatPropertiesCanHold) {
   EXPECT_EQ(never.err.find("a scenario says what they are"), std::string::npos) << never.err;
 }
 
+// A recovery that engages for inputs alone drives all the time where they are such: its monitor is
+// none that robots break.
+TEST_F(Simulations, AMonitorOfInputsAloneMayBeUnmet) {
+  std::string text = edited(yard("50 ms", "r inside yard"), "zone yard",
+                            "input permit : bool max_age inf;\nzone yard");
+  text = edited(text, "decision",
+                "monitor allowed for r : Rover { \"R2: with a permit\" always permit; recover "
+                "turn_back; }\ndecision");
+  write("told.rta", edited(text, "priority fence", "priority allowed > fence"));
+  for (const std::string scenario :
+       {R"({"unmet": "allowed", "runs": 12})", R"({"inputs": {"permit": false}, "runs": 12})"}) {
+    write("said.json", scenario);
+    const Outcome o = rtac({"sim", "told.rta", "--scenario", "said.json"});
+    EXPECT_EQ(o.status, 0) << o.out << o.err;
+    EXPECT_NE(o.out.find("advanced controller: 0.0 % of the time"), std::string::npos) << o.out;
+  }
+  write("said.json", R"({"unmet": "fence"})");
+  const Outcome place = rtac({"sim", "told.rta", "--scenario", "said.json"});
+  EXPECT_EQ(place.status, 4) << place.out;
+  EXPECT_NE(place.err.find("a monitor of inputs alone works"), std::string::npos) << place.err;
+  const Outcome drawn = rtac({"sim", "told.rta", "--runs", "12"});
+  EXPECT_EQ(drawn.out.find("advanced controller: 0.0 %"), std::string::npos) << drawn.out;
+}
+
 TEST_F(Simulations, RecordedInputsHaveToBePossible) {
   write("told.rta", edited(yard("50 ms", "r inside yard and (steps <= 3 implies r inside yard)"),
                            "zone yard", "input steps : int in 0 .. 10;\nzone yard"));
