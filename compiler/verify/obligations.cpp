@@ -243,15 +243,31 @@ bool is_jitter(const sema::Decision& decision, const diag::Diagnostic& d) {
          decision.jitter->range.begin == d.range->begin;
 }
 
-// The first decision of the robots that a controller drives, if the report stands where that is
-// declared.
-std::optional<std::size_t> decision_driven(const sema::Spec& spec, const diag::Diagnostic& d) {
+// The controller that is declared where the report stands; null: none is.
+const sema::Controller* declared_at(const sema::Spec& spec, const diag::Diagnostic& d) {
   const auto declared = std::ranges::find_if(
       spec.controllers, [&](const sema::Controller& c) { return d.range == c.name_range; });
-  if (declared == spec.controllers.end()) return std::nullopt;
+  return declared == spec.controllers.end() ? nullptr : &*declared;
+}
+// The first decision of the robots that it drives.
+std::optional<std::size_t> decision_driven(const sema::Spec& spec, const diag::Diagnostic& d) {
+  const sema::Controller* const declared = declared_at(spec, d);
+  if (declared == nullptr) return std::nullopt;
   const auto of = std::ranges::find(spec.decisions, declared->kind, &sema::Decision::kind);
   if (of == spec.decisions.end()) return std::nullopt;
   return static_cast<std::size_t>(of - spec.decisions.begin());
+}
+// What a recovery cannot do with the limits says nothing of what its monitor asks for, which may
+// well be satisfied: it does not keep it.
+void blame_recovery(const sema::Spec& spec, const diag::Diagnostic& d, Obligation& o) {
+  const sema::Controller* const declared = declared_at(spec, d);
+  if (declared == nullptr) return;
+  const auto engaged = std::ranges::find_if(spec.monitors, [&](const sema::Monitor& m) {
+    return m.recover && &spec[*m.recover] == declared;
+  });
+  if (engaged == spec.monitors.end()) return;
+  o.kind = Kind::p2a;
+  o.monitor = engaged->name;
 }
 // Of a whole decision there is one obligation, and what is wrong with several recoveries is told of
 // each.
@@ -294,6 +310,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   if (at >= report.decisions.size()) return;
   // of a look-ahead that leaves no place to return to
   if (d.code == Code::limit_contradictory && !o.monitor.empty()) o.kind = Kind::p2b;
+  if (d.code == Code::limit_contradictory && o.monitor.empty()) blame_recovery(spec, d, o);
   if (!d.recovery.empty()) {
     refute_pair(std::move(o), d.recovery, report.decisions[at].obligations);
     return;
