@@ -418,9 +418,19 @@ class Pair {
     const Ways ways = ways_of(module_, decision_, last);
     return lies_within(*seconds, Rational(ways.longest_mm ? *ways.longest_mm : 0, 1000));
   }
+  // A charge suffices nowhere but in the zone of its ways, or within reach of it.
+  [[nodiscard]] bool charge_keeps_in(ir::ZoneIndex zone) const {
+    bool in = false;
+    ir::for_each_comparison(judged_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      const auto way = ir::charge_for_way(block, c, decision_.facts.params);
+      in = in || (way && module_[way->site].zone == zone);
+    });
+    return in;
+  }
   // The way is reckoned over the cells of its zone, and not from outside of that.
   bool begins_in_its_zone(const ir::Recovery& last) {
-    if (!ir::moves(last.kind) || starts_within(take_over_, last.zone)) return true;
+    if (!ir::moves(last.kind) || charge_keeps_in(last.zone)) return true;
+    if (starts_within(take_over_, last.zone)) return true;
     entry_.why = "from outside of " + name_as_written(module_[last.zone]) + " " +
                  quoted(recovery_.name) +
                  " makes straight for it, and nothing bounds how much charge that takes";

@@ -160,7 +160,18 @@ bool begins_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
                    sema::ZoneId zone) {
   const auto charge = std::ranges::find_if(
       d.priority, [&](sema::MonitorId id) { return speaks_of_charge(*spec[id].always); });
-  return charge != d.priority.end() && starts_within(spec, d, claims, spec[*charge], zone);
+  if (charge == d.priority.end()) return false;
+  // it suffices nowhere but in the zone of its ways, or within reach of it
+  bool in = false;
+  sema::for_each_expr(*spec[*charge].always, [&](const sema::Expr& e) {
+    const auto* way = std::get_if<sema::EnergyTo>(&e.node);
+    if (way == nullptr) return;
+    in = in || std::ranges::any_of(spec.controllers, [&](const sema::Controller& c) {
+           const auto route = sema::route_of(c);
+           return route && c.kind == d.kind && route->site == way->site && route->zone == zone;
+         });
+  });
+  return in || starts_within(spec, d, claims, spec[*charge], zone);
 }
 
 }  // namespace

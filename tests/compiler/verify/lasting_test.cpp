@@ -105,17 +105,19 @@ TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
 
 // The way of a recovery is found over the cells of its zone: where it may take over outside of
 // that, it takes more charge than the claim says, and may take any.
-constexpr const char* inside_walls = "always c inside yard; recover inwards;";
-constexpr const char* inside_more =
-    "always c inside grow(yard, 5 m); recover inwards; return when c inside yard;";
+constexpr const char* in_yard = R"(within yard speed 0.2 m/s;
+monitor walls   for c : Cart { "SR-1: in the yard" always c inside yard; recover inwards;)";
+constexpr const char* in_hall = R"(within hall speed 0.2 m/s;
+zone hall = rectangle (-5 m, -5 m) to (13 m, 13 m);
+monitor walls   for c : Cart { "SR-1: in the hall" always c inside hall; recover inwards; return when c inside yard;)";
 TEST_F(Lasting, WhatBeginsOutsideOfTheZoneIsNotReckonedWith) {
   prove(carts());
-  const Outcome o = with_source(inside_walls, inside_more);
+  const Outcome o = with_source(in_yard, in_hall);
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_NE((o.out + o.err).find("it may begin outside of its zone"), std::string::npos) << o.out;
 }
 TEST_F(Lasting, WhatBeginsOutsideOfTheZoneKeepsNoCharge) {
-  const Outcome o = verified(edited(carts(), inside_walls, inside_more));
+  const Outcome o = verified(edited(carts(), in_yard, in_hall));
   EXPECT_NE(o.status, exit_clean) << o.out << o.err;
   EXPECT_NE(o.out.find("from outside of `yard` `inwards` makes straight for it, and nothing bounds "
                        "how much charge that takes"),
