@@ -62,7 +62,14 @@ class Damage {
       }
     }
     if (all.size() > starts_most) all.resize(starts_most);
-    if (all.empty() && &driving_ != &judged_) near_both(from, all);
+    if (!all.empty() || &driving_ == &judged_) return all;
+    const double beside_mm = double(s_.decision.body.radius_mm + start_spare_mm);
+    if (const auto moves_mm = moves_from_mm()) {
+      // between where it is braked and where control is given back, by errors that it happens to
+      // have
+      for (const double share : {0.875, 1.0, 0.75}) near_both(from, *moves_mm * share, 1, all);
+    }
+    near_both(from, beside_mm, starts_most, all);
     return all;
   }
 
@@ -137,73 +144,106 @@ class Damage {
     });
     return least ? std::optional(*least + spare_ppm) : std::nullopt;
   }
-  // How deep in the fence that it drives for one begins that is not written down: where it may just
-  // move by its claim, measured twice as well as that takes for granted, and so not be given back.
-  // Of others it does not matter.
-  [[nodiscard]] std::optional<double> depth_to_drive() const {
-    if (!driving_.recovery.claims) return std::nullopt;
-    const auto& all = s_.decision.monitors;
-    const auto k = static_cast<std::size_t>(&driving_ - all.data());
-    std::int64_t ahead_us = 0;
-    for (const ir::Monitor& m : all) {
-      if (m.recovery.name != driving_.recovery.name) continue;
-      ahead_us = std::max(ahead_us, m.lookahead.duration_us);
-    }
-    return double(analysis::claim_clearance_mm(s_.decision, s_.decision.motions[k + 1], ahead_us) -
-                  2 * s_.decision.body.position_error_mm);
-  }
-  static P moved_to_depth(const Outline& fence, P p, double depth_mm) {
-    const double now = fence.clearance(p);
-    return now <= 0 ? p : p + ((depth_mm - now) / now) * (p - fence.nearest(p));
-  }
   // Of a recovery that drives too fast, or that nobody has written down where to: at the fence that
   // it drives for, as near as it gets there to what the other property asks for.
-  void near_both(const Region& from, std::vector<Start>& all) const {
+  // `least_mm`: from the fence; `count`: of places to be found.
+  void near_both(const Region& from, double least_mm, std::size_t count,
+                 std::vector<Start>& all) const {
     const auto& params = s_.decision.facts.params;
     const auto fences = analysis::fences_of(driving_.property, params);
     if (fences.empty() || s_.module[fences.front()].has_height() || from.empty()) return;
     const ir::ZoneTable& zone = s_.module[fences.front()];
     const Outline fence = Outline::of(zone), begins = Outline::of(from);
-    std::vector<std::pair<double, P>> found;  // the lower, the nearer
-    const std::optional<double> depth = depth_to_drive();
+    const std::vector<Limit> limits = limits_of_judged(fence);
+    // the lower, the nearer; none: it does not start there
+    const auto score = [&](P p) -> std::optional<double> {
+      const double clearance = fence.clearance(p);
+      const auto far = clearance < least_mm ? std::nullopt : far_from_judged(p, limits);
+      return far && begins.contains(p) ? std::optional(*far + clearance) : std::nullopt;
+    };
+    std::vector<std::pair<double, P>> found;
     const ir::Cells& cells = zone.cells;
     for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
-      if (cells.clearance_mm_lo[at] < s_.decision.body.radius_mm + start_spare_mm) continue;
+      if (cells.clearance_mm_lo[at] < s_.decision.body.radius_mm) continue;
       const auto columns = static_cast<std::size_t>(cells.columns);
       const std::size_t column = at % columns, row = at / columns;
-      P p{cells.origin_x_mm + (double(column) + 0.5) * cells.cell_mm,
-          cells.origin_y_mm + (double(row) + 0.5) * cells.cell_mm};
-      if (depth && fence.clearance(p) > *depth + cells.cell_mm) continue;
-      if (depth) p = moved_to_depth(fence, p, *depth);
-      if (depth && fence.clearance(p) < *depth - 1) continue;  // another wall is nearer
-      if (const auto far = far_from_judged(p); far && begins.contains(p)) {
-        found.emplace_back(*far + fence.clearance(p), p);
-      }
+      const P p{cells.origin_x_mm + (double(column) + 0.5) * cells.cell_mm,
+                cells.origin_y_mm + (double(row) + 0.5) * cells.cell_mm};
+      if (const auto far = score(p)) found.emplace_back(*far, p);
     }
     std::ranges::sort(found, {}, [](const auto& each) { return each.first; });
-    constexpr double apart_mm = 1000;
-    for (const auto& [score, p] : found) {
-      const bool beside = std::ranges::any_of(all, [&, at = p](const Start& start) {
+    constexpr double apart_mm = 400;  // about what the look-ahead asks for, and a body
+    const std::size_t enough = std::min(all.size() + count, starts_most);
+    std::vector<Start> told;
+    for (const auto& [far, p] : found) {
+      const bool beside = std::ranges::any_of(told, [&, at = p](const Start& start) {
         return analysis::outline::norm(
                    at - P{double(start.place_mm[0]), double(start.place_mm[1])}) < apart_mm;
       });
-      if (!beside) all.push_back({in_mm(p)});
-      if (all.size() == starts_most) return;
+      if (all.size() == enough) return;
+      if (beside) continue;
+      told.push_back({in_mm(nearest_around(p, cells.cell_mm, score))});
+      all.push_back(told.back());
     }
   }
-  // How far a place is from where the other property is false, or where it asks for a speed; none:
-  // it is false there, or never asks.
-  [[nodiscard]] std::optional<double> far_from_judged(P p) const {
-    const bool slow = atoms_of(judged_.property).speed;
-    std::optional<double> far;
+  // The lowest score of places around the middle of a cell.
+  template <class Score>
+  static P nearest_around(P middle, double cell_mm, const Score& score) {
+    constexpr int each_way = 8;
+    P best = middle;
+    double least = *score(middle);
+    for (int i = -each_way; i <= each_way; ++i) {
+      for (int k = -each_way; k <= each_way; ++k) {
+        const P p = middle + (cell_mm / each_way) * P{double(i), double(k)};
+        const auto found = score(p);
+        if (!found || *found >= least) continue;
+        least = *found;
+        best = p;
+      }
+    }
+    return best;
+  }
+  // What only claims to stay in its zone is braked, and stays where it is, unless it has room to
+  // drive: at the bounds so much, at most times less. none: it claims nothing.
+  [[nodiscard]] std::optional<double> moves_from_mm() const {
+    if (!ir::last_step(driving_.recovery).claims) return std::nullopt;
+    const auto index = static_cast<std::size_t>(&driving_ - s_.decision.monitors.data());
+    return double(analysis::claim_clearance_mm(s_.decision, s_.decision.motions[index + 1],
+                                               driving_.lookahead.duration_us));
+  }
+  // What the other property asks for of a zone: to be so far inside. Whoever leaves it where its
+  // boundary is the fence's leaves that, too: `crossed` is the rest of it.
+  struct Limit {
+    Outline zone, crossed;
+    double mm;
+  };
+  [[nodiscard]] std::vector<Limit> limits_of_judged(const Outline& fence) const {
+    constexpr double same_mm = 100;
+    std::vector<Limit> all;
     for (const analysis::Standoff& each :
          analysis::fence_standoffs(judged_.property, s_.decision.facts.params)) {
       if (s_.module[each.zone].has_height()) continue;
-      const double spare = Outline::of(s_.module[each.zone]).clearance(p) -
-                           double(s_.decision.body.radius_mm + each.mm);
-      if (slow ? spare < 0 : spare >= double(start_spare_mm)) {
-        far = std::min(far.value_or(spare), std::max(spare, 0.0));
+      const Outline zone = Outline::of(s_.module[each.zone]);
+      std::vector<analysis::outline::Segment> crossed;
+      for (const auto& edge : zone.edges()) {
+        if (fence.clearance(0.5 * (edge.a + edge.b)) > same_mm) crossed.push_back(edge);
       }
+      const Outline rest(crossed.empty() ? zone.edges() : crossed);
+      all.push_back({zone, rest, double(s_.decision.body.radius_mm + each.mm)});
+    }
+    return all;
+  }
+  // How far a place is from where the other property is false, or where it asks for a speed; none:
+  // it is false there, or never asks.
+  [[nodiscard]] std::optional<double> far_from_judged(P p, const std::vector<Limit>& limits) const {
+    const bool slow = atoms_of(judged_.property).speed;
+    std::optional<double> far;
+    for (const Limit& limit : limits) {
+      const double spare = limit.zone.clearance(p) - limit.mm;
+      if (slow ? spare >= 0 : spare < double(start_spare_mm)) continue;
+      const double away =
+          slow ? 0 : analysis::outline::norm(limit.crossed.nearest(p) - p) - limit.mm;
+      far = std::min(far.value_or(away), away);
     }
     return far;
   }

@@ -22,7 +22,7 @@ constexpr int places_across = 16;
 constexpr double look_each_mm = 20;
 // By which a property holds at the start, and how far a hold strays.
 constexpr double holds_by_mm = 15, strays_by_mm = 12;
-constexpr double far_mm = 1e9, apart_in_space_mm = 500, unbounded_mm = 10'000;
+constexpr double far_mm = 1e9, apart_in_space_mm = 6000, unbounded_mm = 10'000;
 // A box that is wider has no side there.
 constexpr double widest_mm = 1e8;
 constexpr std::size_t in_space_most = 4;

@@ -90,16 +90,23 @@ TEST_F(Verify, WhoMayRestBesideItsDockIsNotShownToKeepItsCharge) {
   EXPECT_NE(o.out.find("from `dock`, where lasting errors"), std::string::npos) << o.out;
 }
 
-// What no choice avoids, and no run shows, is unknown: these retreats end long before the boundary
-// of the other zone. The report names the recoveries.
+// What no choice avoids, and no run shows, is unknown: these retreats end long before the hole in
+// the other zone. The report names the recoveries.
 TEST_F(Verify, CoordinatedRecoveriesThatAreNotShownToKeepEachOtherAreUnknown) {
   std::string text = edited(drone_spec(), "decision fly", R"(
-zone north = rectangle (0 m, 1 m) to (5 m, 9 m);
+zone hole = rectangle (2.3 m, 2.3 m) to (2.7 m, 2.7 m);
+zone north = rectangle (0 m, 0 m) to (5 m, 9 m) - hole;
 controller go_north : safe for Drone = retreat within north speed 0.3 m/s;
 monitor up for d : Drone { "SR-2: in the north" always d inside north; recover go_north; }
 decision fly)");
   text = edited(text, "priority walls;", "coordinate walls > up;");
   ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  // at a corner that it has in common with the room, a retreat is off its way by more than it has
+  const Outcome corner = verified(edited(text, "rectangle (0 m, 0 m) to (5 m, 9 m) - hole",
+                                         "rectangle (0 m, 1 m) to (5 m, 9 m)"),
+                                  {"--format", "json"});
+  EXPECT_EQ(corner.status, exit_violation) << corner.out << corner.err;
+  EXPECT_EQ(statuses(corner.out, "C", "up"), Statuses{"refuted"}) << corner.out;
   const Outcome o = verified(text, {"--format", "json"});
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "C", "up"), Statuses{"unknown"}) << o.out;
