@@ -56,7 +56,7 @@ class InSight {
   const ir::Cells& cells_;
   const geometry::CellGrid grid_;
   const std::int64_t route_mm_, body_mm_, return_mm_;
-  std::int64_t deepest_mm_ = 0;  // of the goals
+  std::int64_t deepest_mm_ = 0;               // of the goals
   std::vector<geometry::StraightLegs> legs_;  // by goal
 };
 

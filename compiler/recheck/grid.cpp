@@ -56,14 +56,14 @@ double square_to(const Segment& s, const Box& box) {
   return least;
 }
 
-constexpr double mm = 1e-3;
+constexpr double per_mm = 1e-3;
 constexpr double same_m = 1e-9;  // what two doubles of one length differ by, and more
 
 // Along the axes, in whole millimetres, where doubles tell them apart even squared.
 bool is_on_grid(const Segment& s) {
   constexpr double far_m = 10'000;
   const auto whole = [](double m) {
-    return std::abs(m) < far_m && std::abs(m / mm - std::round(m / mm)) < same_m;
+    return std::abs(m) < far_m && std::abs(m / per_mm - std::round(m / per_mm)) < same_m;
   };
   return (s.ax == s.bx || s.ay == s.by) && whole(s.ax) && whole(s.ay) && whole(s.bx) && whole(s.by);
 }
@@ -140,8 +140,8 @@ class Filler {
 
   // Where both coordinates are whole millimetres the square of the distance is whole, too.
   static double rounded_down(double square) {
-    const double whole = std::round(square / (mm * mm));
-    return std::floor(std::sqrt(whole)) * mm;
+    const double whole = std::round(square / (per_mm * per_mm));
+    return std::floor(std::sqrt(whole)) * per_mm;
   }
 
   const std::vector<Segment>& all_;

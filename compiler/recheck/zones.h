@@ -86,8 +86,8 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
                                     const Rational& goal_m,
                                     const std::vector<geometry::Point>& sites, bool deeper = false);
 
-// Whether from anywhere in the zone with less than `back_m` a leg no longer than `most_m` leads to a
-// place as clear as `aim_m`, and keeps the clearance that it begins with.
+// Whether from anywhere in the zone with less than `back_m` a leg no longer than `most_m` leads to
+// a place as clear as `aim_m`, and keeps the clearance that it begins with.
 bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
                const Rational& back_m, const Rational& aim_m, const Rational& most_m);
 

@@ -229,6 +229,23 @@ std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
          metres(last.return_clearance_mm + known_mm);
 }
 
+// Why ways over cells may not be those that the recovery takes, and what helps; "": they are.
+struct Doubt {
+  std::string why;
+  const char* repair = "";
+};
+Doubt doubt_of_ways(const Subject& s, const ir::Recovery& last) {
+  if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
+  if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
+  if (std::string cut = cut_short(s, last); !cut.empty()) {
+    return {std::move(cut), "fewer vertices work, or less clearance that is asked for"};
+  }
+  if (std::string outside = led_nowhere(s, last); !outside.empty()) {
+    return {std::move(outside), "a wider passage works, or less of an error"};
+  }
+  return {on_the_rim(s, last)};
+}
+
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
 Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
@@ -255,31 +272,10 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     }
     return o;
   }
-  if (const std::string off = off_its_dock(s, last); !off.empty()) {
+  if (Doubt doubt = doubt_of_ways(s, last); !doubt.why.empty()) {
     o.status = Status::unknown;
-    o.because = off;
-    return o;
-  }
-  if (const std::string off = rests_beside_site(s, last); !off.empty()) {
-    o.status = Status::unknown;
-    o.because = off;
-    return o;
-  }
-  if (const std::string cut = cut_short(s, last); !cut.empty()) {
-    o.status = Status::unknown;
-    o.because = cut;
-    o.repair = "fewer vertices work, or less clearance that is asked for";
-    return o;
-  }
-  if (const std::string outside = led_nowhere(s, last); !outside.empty()) {
-    o.status = Status::unknown;
-    o.because = outside;
-    o.repair = "a wider passage works, or less of an error";
-    return o;
-  }
-  if (const std::string rim = on_the_rim(s, last); !rim.empty()) {
-    o.status = Status::unknown;
-    o.because = rim;
+    o.because = std::move(doubt.why);
+    o.repair = doubt.repair;
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);

@@ -408,7 +408,9 @@ decision go for Rover { advanced drive; period 50 ms; priority out > m; }
       edited(text, "out > m;", "out > m; acknowledge halt may break out \"x\";");
   const Json open = report_of(accepted);
   for (const Json& o : open["decisions"][0]["obligations"]) {
-    if (o["obligation"] == "C" && o["monitor"] == "m") EXPECT_EQ(o["status"], "unknown") << o;
+    if (o["obligation"] == "C" && o["monitor"] == "m") {
+      EXPECT_EQ(o["status"], "unknown") << o;
+    }
   }
   report = report_of(text);
   write("certificates/sources/spec.rta", accepted);

@@ -62,7 +62,9 @@ class Mutated : public Verify {
     const auto with = [&](std::int64_t n) { return noticed(field, std::to_string(n)); };
     // whichever side is the unsafe one
     EXPECT_TRUE(with(value - by) || with(value + by)) << name << " " << value;
-    if (!less_is_safe().count(name)) EXPECT_TRUE(with(-value - 1)) << name << " " << value;
+    if (!less_is_safe().count(name)) {
+      EXPECT_TRUE(with(-value - 1)) << name << " " << value;
+    }
   }
   // The first claim that has it stands for all.
   void change_each() {
