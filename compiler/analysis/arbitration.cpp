@@ -118,30 +118,29 @@ class Pair {
     if (const ir::Block* body = ir::body_of(op)) return speaks_of_inputs(*body, body->result);
     return told(block, id);
   }
-  // No recovery makes an input true again, and none makes it false. But its own one is the answer
-  // to it, and whoever coordinates must not take another one for as good.
-  bool answers_to_inputs() {
-    entry_.why = quoted(recovery_.name) + " is not the answer to what " + quoted(judged_.name) +
-                 " says of inputs";
+  // Of what only the recovery that the author has chosen for it is the answer to. `why`: of the
+  // other one.
+  bool is_not_the_answer(const std::string& why) {
+    entry_.why = quoted(recovery_.name) + why;
     entry_.help =
         quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
     return false;
   }
+  // No recovery makes an input true again, and none makes it false. But its own one is the answer
+  // to it, and whoever coordinates must not take another one for as good.
+  bool answers_to_inputs() {
+    return is_not_the_answer(" is not the answer to what " + quoted(judged_.name) +
+                             " says of inputs");
+  }
   // Every recovery stands still before others, who may come nearer all the same.
-  // Who coordinates leaves that to the recovery that the author has chosen for it.
   Entry before_others() {
-    entry_.why = quoted(recovery_.name) + " is not the answer to others that come near";
-    entry_.help =
-        quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
+    (void)is_not_the_answer(" is not the answer to others that come near");
     entry_.answered = is_answered();
     return entry_;
   }
   // Who coordinates has to know who leads out.
   bool keeps_windows() {
-    entry_.why = quoted(recovery_.name) + " does not lead out of zones that come and go in time";
-    entry_.help =
-        quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
-    return false;
+    return is_not_the_answer(" does not lead out of zones that come and go in time");
   }
   bool keeps_comparison(const ir::Block& block, const ir::AtLeast& compare) {
     bool kept = true;

@@ -68,7 +68,7 @@ struct Line {
 // Where bodies may be, as far as offsets and the grid tell.
 class Starts {
  public:
-  Starts(const Region& region, std::int32_t seen_off_mm) : off_(rounding + seen_off_mm) {
+  explicit Starts(const Region& region) {
     for (const Ring& ring : region.rings()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -114,8 +114,7 @@ class Starts {
 
  private:
   // in mm: twice that of offsets, and of the grid, so that who rounds other things finds the same
-  static constexpr std::int32_t rounding = 9;
-  const std::int32_t off_;  // mm
+  static constexpr std::int32_t off_ = 9;
   std::vector<Line> lines_;
 };
 
@@ -125,8 +124,7 @@ class Entering {
       : zone_(zone),
         fence_(fence.cells),
         query_(query),
-        starts_(query.starts ? std::optional<Starts>(Starts(*query.starts, query.seen_off_mm))
-                             : std::nullopt),
+        starts_(query.starts ? std::optional<Starts>(Starts(*query.starts)) : std::nullopt),
         forgiven_(std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)),
         connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_),
         sight_(zone.edges, query.least_mm, 0, query.loss_mm - rounding_mm) {
@@ -523,9 +521,9 @@ class Entering {
 // All but where bodies may be.
 bool same_numbers(const EntryQuery& a, const EntryQuery& b) {
   const auto numbers = [](const EntryQuery& q) {
-    return std::tuple(q.clearance_mm, q.body_mm, q.least_mm, q.tested_mm, q.loss_mm, q.straight_mm,
-                      q.alone.has_value(), q.alone ? q.alone->aim_mm : 0,
-                      q.alone ? q.alone->reach_mm : 0, q.starts.has_value(), q.seen_off_mm);
+    return std::tuple(q.clearance_mm, q.body_mm, q.least_mm, q.tested_mm, q.kept_mm, q.loss_mm,
+                      q.straight_mm, q.alone.has_value(), q.alone ? q.alone->aim_mm : 0,
+                      q.alone ? q.alone->reach_mm : 0, q.starts.has_value());
   };
   return numbers(a) == numbers(b);
 }

@@ -32,9 +32,8 @@ struct EntryQuery {
     std::int32_t aim_mm = 0, reach_mm = 0;
   };
   std::optional<Alone> alone{};
-  // Where bodies may be, and how far from there they may be seen; none: everywhere in the fence.
+  // Where bodies may be seen; none: everywhere in the fence.
   std::optional<Region> starts{};
-  std::int32_t seen_off_mm = 0;
 };
 
 struct Entry {
