@@ -91,10 +91,10 @@ class Starts {
     if (farthest > far_mm) return std::nullopt;
     const double wide = box.right - box.left, high = box.top - box.low;
     while (wide * high > most * grid.cell_mm * grid.cell_mm) grid.cell_mm *= 2;
-    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * off_,
-                   static_cast<std::int32_t>(box.low) - 2 * off_};
-    grid.columns = static_cast<std::int32_t>((wide + 4 * off_) / grid.cell_mm) + 1;
-    grid.rows = static_cast<std::int32_t>((high + 4 * off_) / grid.cell_mm) + 1;
+    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * off_mm,
+                   static_cast<std::int32_t>(box.low) - 2 * off_mm};
+    grid.columns = static_cast<std::int32_t>((wide + 4 * off_mm) / grid.cell_mm) + 1;
+    grid.rows = static_cast<std::int32_t>((high + 4 * off_mm) / grid.cell_mm) + 1;
     grid.clearance_mm_lo.assign(
         static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
     return grid;
@@ -105,7 +105,7 @@ class Starts {
     for (const Line& e : lines_) {
       const Vec d = e.b - e.a, off = p - e.a;
       const double t = std::clamp((off.x * d.x + off.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + off_) return true;
+      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + off_mm) return true;
       if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
       if (p.x < e.a.x + (p.y - e.a.y) / d.y * d.x) inside = !inside;
     }
@@ -114,7 +114,7 @@ class Starts {
 
  private:
   // in mm: twice that of offsets, and of the grid, so that who rounds other things finds the same
-  static constexpr std::int32_t off_ = 9;
+  static constexpr std::int32_t off_mm = 9;
   std::vector<Line> lines_;
 };
 
