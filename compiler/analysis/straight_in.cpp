@@ -98,14 +98,42 @@ bool has_end(const ir::ZoneTable& zone) {
     return std::abs(std::int64_t{e.ax}) <= far_mm && std::abs(std::int64_t{e.ay}) <= far_mm;
   });
 }
-// How far from the boundary of the fence each body is while the property holds, beyond touching it.
-std::int64_t surely_off_mm(const TakeOver& at, ir::ZoneIndex fence) {
-  std::int64_t mm = 0;
+// How far from the boundary of the fence a body has to be, beyond touching it: with the laxest
+// parameters, and with the strictest. `alike`: with all of them each body is as far as is asked.
+struct Asked {
+  std::int64_t laxest_mm = 0, strictest_mm = 0;
+  bool alike = false;
+};
+Asked asked_of(const TakeOver& at, ir::ZoneIndex fence) {
+  Asked asked;
+  int sure = 0, all = 0;
   const ir::Decision& d = at.decision;
-  for (const auto& either : surely_in(d.monitors[at.judged].property, d.facts.params)) {
-    if (either.size() == 1 && either[0].zone == fence) mm = std::max(mm, either[0].mm);
+  const ir::Block& property = d.monitors[at.judged].property;
+  for (const auto& either : surely_in(property, d.facts.params)) {
+    if (either.size() != 1 || either[0].zone != fence) continue;
+    asked.laxest_mm = std::max(asked.laxest_mm, either[0].mm);
+    ++sure;
   }
-  return mm;
+  for (const Standoff& each : fence_standoffs(property, d.facts.params)) {
+    if (each.zone != fence) continue;
+    asked.strictest_mm = std::max(asked.strictest_mm, each.mm);
+    ++all;
+  }
+  asked.alike = sure == all;
+  return asked;
+}
+// The strictest that leads anybody in from outside of the zone: with stricter parameters each body
+// that `rested` holds, kept as far from the fence as they ask, lies in the zone already.
+template <class Rested>
+std::int64_t led_in_mm(const TakeOver& at, ir::ZoneIndex zone, const Asked& asked,
+                       const Rested& rested) {
+  std::int64_t led = asked.laxest_mm, fits = asked.strictest_mm;
+  if (!asked.alike || led >= fits || !fits_all(at, zone, rested(fits))) return fits;
+  while (fits - led > 1) {
+    const std::int64_t middle = led + (fits - led) / 2;
+    (fits_all(at, zone, rested(middle)) ? fits : led) = middle;
+  }
+  return fits;
 }
 // The straight ways that the search may take from wherever a body may be in the fence. What a
 // property asks for beyond touching the fence is kept, with room for what the robot strays from a
@@ -113,20 +141,19 @@ std::int64_t surely_off_mm(const TakeOver& at, ir::ZoneIndex fence) {
 // (docs/templates.md, steering).
 bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
   const ir::Body& body = at.decision.body;
-  std::int64_t standoff_mm = 0;
-  for (const Standoff& asked :
-       fence_standoffs(at.decision.monitors[at.judged].property, at.decision.facts.params)) {
-    if (asked.zone == fence) standoff_mm = std::max(standoff_mm, asked.mm);
-  }
+  const Asked asked = asked_of(at, fence);
   const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
   const Region rested =
       where_held<Region>(at, held_at(at), [&](const TakeOver& from, const Standoff& held) {
         return centres(from, {held.zone, held.mm + strays_mm});
       });
   if (fits_all(at, step.zone, rested)) return true;
+  const std::int64_t standoff_mm = led_in_mm(at, step.zone, asked, [&](std::int64_t mm) {
+    return rested.intersect(centres(at, {fence, mm + strays_mm}));
+  });
   geometry::EntryQuery query{
       .clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm),
-      .body_mm = in_mm(body.radius_mm + surely_off_mm(at, fence) + strays_mm),
+      .body_mm = in_mm(body.radius_mm + asked.laxest_mm + strays_mm),
       .least_mm = in_mm(body.radius_mm),
       .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm),
       .kept_mm = in_mm(body.radius_mm + strays_mm)};

@@ -246,16 +246,17 @@ class Entering {
     if (connectors_.holds_nobody(spot)) return true;
     if (starts_ && !starts_->are_near(middle, radius)) return true;
     const double nearest = nearest_of_zone(middle), off = contains(middle) ? -nearest : nearest;
-    if (-off > radius && keeps_what_it_has(spot, -off - radius)) return true;
+    if (keeps_what_it_has(spot, -off - radius)) return true;
     if (looks_ > looks_max) return false;
-    // its middle does: so will smaller parts, whatever ways there are
+    // its middle does: so will smaller parts, whatever ways there are; from outside where they need
+    // not be too small
     const bool small = radius < forgiven_ / 4;
-    if (-off > radius && !small &&
-        keeps_what_it_has({spot.x_mm, spot.y_mm, 0, spot.gap_mm}, -off)) {
+    const bool alike = -off > radius || query_.loss_mm < forgiven_ / 4;
+    if (alike && !small && keeps_what_it_has({spot.x_mm, spot.y_mm, 0, spot.gap_mm}, -off)) {
       return in_parts(spot, cells, halvings);
     }
     // a way from outside goes on in the zone
-    const bool deep = depth_ + forgiven_ >= query_.clearance_mm;
+    const bool deep = depth_ + forgiven_ >= asked_from(spot);
     if (starts_ && !deep) return in_parts(spot, cells, halvings);
     const double farthest = farthest_taken(spot, cells, off);
     const bool first = near_.size() == boxes_.size() && std::isfinite(farthest);
@@ -313,6 +314,7 @@ class Entering {
   // what a body needs, and all of it is as much farther from the boundary of the fence as the two
   // are apart. Where a body fits in the zone that is enough for what a fence with an end asks
   // (analysis: keeps_off.h); who is nearer is led straight, and that clearance is all it keeps.
+  // From outside, less than 0, no way leads farther off than that and as much.
   [[nodiscard]] bool keeps_what_it_has(const Connectors::Spot& spot, double nearest) const {
     if (!starts_ && nearest >= query_.least_mm) return true;
     double kept = std::min<double>(nearest, query_.kept_mm) - query_.loss_mm;

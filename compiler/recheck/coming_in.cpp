@@ -6,6 +6,7 @@
 #include "compiler/recheck/entering.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
 namespace {
@@ -176,6 +177,35 @@ Led led_within(const sema::Spec& spec, const sema::Decision& d, sema::ZoneId zon
   return all;
 }
 
+// How far from the boundary of the fence bodies have to be, beyond touching it, where parameters
+// are laxest and where they are strictest. `kept`: as much as they ask is all that is said of the
+// fence, of every body.
+struct Off {
+  Rational laxest = 0, strictest = 0;
+  bool kept = false;
+};
+Off off_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fence) {
+  std::vector<Either> holds;
+  collect(spec, property, true, holds);
+  Off off;
+  std::ptrdiff_t sure = 0, said = 0;
+  for (const Either& sides : holds) {
+    if (sides.size() != 1 || sides[0].zone != fence) continue;
+    off.laxest = std::max(off.laxest, sides[0].gap);
+    ++sure;
+  }
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* gap = std::get_if<sema::Clearance>(&e.node);
+    const auto* inside = std::get_if<sema::InsideZone>(&e.node);
+    if ((gap != nullptr && gap->zone == fence) || (inside != nullptr && inside->zone == fence)) {
+      ++said;
+    }
+  });
+  off.strictest = gap_of(spec, property, fence);
+  off.kept = sure == said;
+  return off;
+}
+
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
 // that zone loses no more than ways over cells do.
 bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
@@ -193,21 +223,28 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const Led led = led_within(spec, d, zone);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const double radius = kind.radius.value.get_d();
-  std::vector<Either> holds;
-  collect(spec, *judged.always, true, holds);
-  Rational off = 0;  // from the boundary of the fence, beyond touching it
-  for (const Either& sides : holds) {
-    if (sides.size() == 1 && sides[0].zone == fence) off = std::max(off, sides[0].gap);
-  }
+  Off off = off_of(spec, *judged.always, fence);
   // a way is driven as it is seen, and not on the millimetre; the hold leaves as much room at rest
   const Rational strays = error + led.beside - rounding;
-  const double body = Rational(kind.radius.value + off + strays).get_d();
-  const double clearance =
-      Rational(kind.radius.value + gap_of(spec, *judged.always, fence) + strays).get_d();
+  const double body = Rational(kind.radius.value + off.laxest + strays).get_d();
   const geometry::Solid starts =
       where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value + strays);
   const Rational fits = std::max(Rational(kind.radius.value - offsets_round), Rational(0));
-  if (starts.subtract(within(claims.zones(), zone, fits)).empty()) return true;
+  const geometry::Solid there = within(claims.zones(), zone, fits);
+  if (starts.subtract(there).empty()) return true;
+  // stricter parameters than some keep every body in the zone: nobody is led there
+  const auto all_there = [&](const Rational& gap) {
+    return starts.intersect(within(claims.zones(), fence, kind.radius.value + gap + strays))
+        .subtract(there)
+        .empty();
+  };
+  if (off.kept && off.strictest > off.laxest && all_there(off.strictest)) {
+    for (Rational less = off.laxest; off.strictest - less > Rational(1, 1000);) {
+      const Rational middle = (less + off.strictest) / 2;
+      (all_there(middle) ? off.strictest : less) = middle;
+    }
+  }
+  const double clearance = Rational(kind.radius.value + off.strictest + strays).get_d();
   const auto aim = number(v, "aim_mm");
   if (!aim) return false;
   const double tested = led.over_cells ? std::max(radius, milli(*aim).get_d()) : 0;

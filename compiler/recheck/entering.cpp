@@ -122,7 +122,8 @@ class Entries {
   }
   // A way in the zone, from so far inside, loses little of the clearance there, and of that in the
   // fence no more: all of the zone is `depth_` from its boundary. With room for the body that is
-  // enough for a fence with an end: what it asks for beyond that is another claim.
+  // enough for a fence with an end: what it asks for beyond that is another claim. One from so far
+  // outside, less than 0, leads no farther off than that and as little.
   bool keeps_what_it_has(const Boundary& boundary, const Box& from, double inside) const {
     if (starts_.empty() && inside >= limits_.least) return true;
     double kept = std::min(inside, limits_.kept) - limits_.loss;
@@ -188,19 +189,18 @@ class Entries {
     const double nearest = to_zone(middle(from));
     const double off = contains(middle(from)) ? -nearest : nearest;
     const double inside = -off - radius(from) - snap_m;
-    if (inside > 0 && keeps_what_it_has(boundary, from, inside)) return true;
+    if (keeps_what_it_has(boundary, from, inside)) return true;
     if (steps_ > steps_max) return false;
     // with room beside its middle that may be so of its parts alone
-    if (-off > radius(from) && radius(from) > forgiven() / 4 && times > 0 &&
+    const bool alike = -off > radius(from) || limits_.loss < forgiven() / 4;
+    if (alike && radius(from) > forgiven() / 4 && times > 0 &&
         depth_ + std::min(-off, limits_.least) - limits_.loss >=
             boundary.asked_from(from, limits_.clearance, forgiven()) - radius(from)) {
       return in_quarters(boundary, from, ends, times);
     }
-    // what begins outside goes on in the zone, wherever that is
-    if (!starts_.empty() && depth_ + forgiven() < limits_.clearance) {
-      return in_quarters(boundary, from, ends, times);
-    }
     const double asked = boundary.asked_from(from, limits_.clearance, forgiven());
+    // what begins outside goes on in the zone, wherever that is
+    if (!starts_.empty() && depth_ < asked) return in_quarters(boundary, from, ends, times);
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
     std::vector<End> taken;
     bool all = true;

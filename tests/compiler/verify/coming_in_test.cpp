@@ -165,8 +165,9 @@ decision go for Rover { advanced pilot; period 100 ms; priority m; }
 
 // Off a pond, within a zone that is farther from it than is asked: whoever is outside of that keeps
 // the distance that it has on its way in, and what holds besides says where a body may be at all.
-std::string off_a_pond(const std::string& keep) {
+std::string off_a_pond(const std::string& keep, const std::string& asked = "40 cm") {
   return R"(spec ponds;
+param gap : length in 85 cm .. 1 m = 90 cm;
 zone room = rectangle (-1.1 m, -3 m) to (8 m, 4 m);
 zone pond = circle (4 m, 0 m) radius 1 m;
 zone walls = rectangle (-1.1 m, 0.1 m) to (-0.7 m, 4 m) | rectangle (0.7 m, 0.7 m) to (0.8 m, 3 m);
@@ -185,8 +186,8 @@ fleet one : Rover;
 controller pilot : advanced for Rover extern;
 controller back  : safe for Rover = retreat within keep speed 0.3 m/s;
 monitor m for r : Rover { "SR-1" always r inside room and distance(r, )" +
-         std::string(keep.find("walls") == std::string::npos ? "pond" : "walls") +
-         R"() >= 40 cm; recover back; }
+         std::string(keep.find("walls") == std::string::npos ? "pond" : "walls") + R"() >= )" +
+         asked + R"(; recover back; }
 decision go for Rover { advanced pilot; period 20 ms; priority m; }
 )";
 }
@@ -237,6 +238,22 @@ TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
     EXPECT_EQ(p2a_of(report)["status"], "proved") << by << p2a_of(report);
     EXPECT_EQ(rechecked(report).status, exit_clean) << by;
   }
+}
+// With each of its values: who keeps the largest is in the zone, which is as far off as that or as
+// most of them, and who keeps less is led in.
+TEST_F(ComingIn, TheDistanceThatAParameterAsksForIsKept) {
+  const Json within = report_of(off_a_pond("room - grow(pond, 1 m)", "gap"));
+  EXPECT_EQ(p2a_of(within)["status"], "proved") << p2a_of(within);
+  EXPECT_EQ(rechecked(within).status, exit_clean);
+  const Json proved = report_of(off_a_pond("room - grow(pond, 1.2 m)", "gap"));
+  EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
+  EXPECT_EQ(rechecked(proved).status, exit_clean);
+  Json beside = report_of(off_a_pond("room - grow(pond, 1 m) - shelf", "gap"));
+  EXPECT_EQ(p2a_of(beside)["status"], "unknown") << p2a_of(beside);
+  for (Json& o : beside["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(within);
+  }
+  expect_denied(beside, "lead across what is not convex");
 }
 // Beside a shelf that only the zone leaves out, legs keep no more of the clearance in it than
 // little, and pass a wall nearer than is asked.
