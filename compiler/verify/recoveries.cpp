@@ -468,7 +468,9 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
   const Atoms atoms = atoms_of(m.property);
-  if (atoms.only_facts() || last == ir::RecoveryKind::brake) {
+  const bool rests = last == ir::RecoveryKind::brake ||
+                     (last == ir::RecoveryKind::land && atoms.only_speed());
+  if (atoms.only_facts() || rests) {
     o.status = Status::proved;
     o.method = "closed form";
     o.because = atoms.only_facts()

@@ -103,6 +103,36 @@ decision fly for Quad { advanced policy; period 50 ms; priority radio > walls; }
   EXPECT_TRUE(refuted) << o.out;
 }
 
+// Where a landing ends the robot rests, and is as slow as is asked; unless it would be too fast
+// again before the next decision.
+TEST_F(Told, WhereALandingEndsControlIsGivenBackToWhoWasTooFast) {
+  const auto drone = [](const std::string& limit) {
+    return R"(spec lands;
+zone area = prism (rectangle (0 m, 0 m) to (60 m, 60 m)) from 0 m to 50 m;
+input link : bool max_age 500 ms;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 4 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense position : point3 error 10 cm max_age 50 ms;
+  sense velocity : vector3 error 10 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down : safe for Quad = land to 1.5 m speed 0.3 m/s;
+controller back : safe for Quad = retreat within area speed 1 m/s;
+monitor radio for d : Quad { "R1: slow without a link" always )" +
+           limit + R"(; ahead 100 ms; recover down; }
+monitor walls for d : Quad { "R2: in the area" always d inside area; ahead 100 ms; recover back; }
+decision fly for Quad { advanced policy; period 50 ms; priority radio > walls; }
+)";
+  };
+  expect_proved(drone("link or d.speed <= 1.5 m/s"));
+  const Outcome o = verified(drone("d.speed <= 0.6 m/s"), {"--format", "json"});
+  EXPECT_NE(statuses(o.out, "P2b", "radio"), Statuses{"proved"}) << o.out;
+}
+
 // By night it is home, from wherever that finds it; straight across the pond of a fence that ranks
 // lower, which no run shows. What no input asks for does not.
 TEST_F(Told, AWayHomeThatInputsAskForAcrossWhatIsKeptOffIsRefuted) {
