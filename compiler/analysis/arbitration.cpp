@@ -70,7 +70,7 @@ class Pair {
       // outranks it needs an acknowledgement of its own (5031).
       if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
       if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) {
-        return has_slow_side(decision_, drives_, block, *v) || starts_in_its_zones();
+        return has_slow_side(module_, decision_, drives_, block, *v) || starts_in_its_zones();
       }
       if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
       return keeps(block, v->a) && keeps(block, v->b);

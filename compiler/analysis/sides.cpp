@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/printer.h"
 
 namespace rtac::analysis {
 namespace {
@@ -35,23 +36,100 @@ Rational metres_of(std::int64_t mm) {
   return m;
 }
 
-bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block& block,
-                   ir::ValueId id) {
-  const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return asks_for_slow(decision, k, block, v->a) && asks_for_slow(decision, k, block, v->b);
+namespace {
+
+// What a value comes to of a robot that is slow, as far as that and inputs tell.
+class OfSlow {
+ public:
+  OfSlow(const ir::Module& module, const ir::Watch& facts, const ir::Block& block,
+         std::int64_t mmps)
+      : module_(module), facts_(facts), block_(block), mmps_(mmps) {}
+
+  // Whatever the inputs say.
+  bool holds(ir::ValueId id) {
+    ask(id);
+    constexpr std::size_t most = 6;  // of which each may be true or false
+    if (asked_.size() > most) return false;
+    for (std::uint32_t told = 0; told >> asked_.size() == 0; ++told) {
+      if (!holds(id, told)) return false;
+    }
+    return true;
   }
-  // what an external one claims of its speed is held against its measured speed alone
-  if (decision.monitors[k].recovery.claims) return false;
-  const auto* compare = std::get_if<ir::AtLeast>(&op);
-  const auto bound = compare ? ir::upper_bound(block, *compare) : std::nullopt;
-  return bound && bound->leaf.kind == ir::Leaf::Kind::speed &&
-         fastest_while_driving(decision, k) <= bound->most;
+
+ private:
+  void ask(ir::ValueId id) {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return ask(v->a), ask(v->b);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return ask(v->a), ask(v->b);
+    if (const auto* v = std::get_if<ir::Not>(&op)) return ask(v->a);
+    const auto* fact = std::get_if<ir::Fact>(&op);
+    if (fact == nullptr) return;
+    const std::string text = said_by(*fact).text;
+    if (std::ranges::find(asked_, text) == asked_.end()) asked_.push_back(text);
+  }
+  // Facts are as many as there are mentions of them, each with its negation.
+  struct Said {
+    std::string text;
+    bool value = true;
+  };
+  [[nodiscard]] Said said_by(const ir::Fact& fact) const {
+    const ir::Block& property = facts_.monitors[fact.index].property;
+    const ir::Op& op = property[property.result].op;
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    const bool negated = std::holds_alternative<ir::Not>(op);
+    std::string text = ir::print(module_, &facts_, property, "");
+    // its last line names the result, which is that of the line above
+    for (int lines = negated || compare != nullptr ? 2 : 1; lines > 0; --lines) {
+      text.erase(text.rfind('\n', text.size() - 2) + 1);
+    }
+    if (compare == nullptr) return {std::move(text), !negated};
+    // a > b is what b >= a denies
+    const auto [a, b] =
+        compare->strict ? std::pair(compare->b, compare->a) : std::pair(compare->a, compare->b);
+    text += std::to_string(static_cast<std::uint32_t>(a)) +
+            " >= " + std::to_string(static_cast<std::uint32_t>(b));
+    return {std::move(text), !compare->strict};
+  }
+  // `told`: a bit of each.
+  [[nodiscard]] bool holds(ir::ValueId id, std::uint32_t told) const {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) return holds(v->a, told) && holds(v->b, told);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return holds(v->a, told) || holds(v->b, told);
+    if (const auto* v = std::get_if<ir::Not>(&op)) {
+      const bool is_told = std::holds_alternative<ir::Fact>(block_[v->a].op);
+      return is_told && !holds(v->a, told);
+    }
+    if (const auto* fact = std::get_if<ir::Fact>(&op)) {
+      const Said said = said_by(*fact);
+      const auto place = std::ranges::find(asked_, said.text) - asked_.begin();
+      return ((told >> place & 1U) != 0) == said.value;
+    }
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    const auto bound = compare ? ir::upper_bound(block_, *compare) : std::nullopt;
+    return bound && bound->leaf.kind == ir::Leaf::Kind::speed && mmps_ <= bound->most;
+  }
+
+  const ir::Module& module_;
+  const ir::Watch& facts_;
+  const ir::Block& block_;
+  const std::int64_t mmps_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace
+
+bool asks_for_slow(const ir::Module& module, const ir::Decision& decision, const ir::Block& block,
+                   ir::ValueId id, std::int64_t mmps) {
+  return OfSlow(module, decision.facts, block, mmps).holds(id);
 }
 
-bool has_slow_side(const ir::Decision& decision, std::size_t k, const ir::Block& block,
-                   const ir::Or& either) {
-  return asks_for_slow(decision, k, block, either.a) || asks_for_slow(decision, k, block, either.b);
+bool has_slow_side(const ir::Module& module, const ir::Decision& decision, std::size_t k,
+                   const ir::Block& block, const ir::Or& either) {
+  // what an external one claims of its speed is held against its measured speed alone
+  if (decision.monitors[k].recovery.claims) return false;
+  const std::int64_t mmps = fastest_while_driving(decision, k);
+  return asks_for_slow(module, decision, block, either.a, mmps) ||
+         asks_for_slow(module, decision, block, either.b, mmps);
 }
 
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,
@@ -92,7 +170,7 @@ bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& 
 bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,
                   std::size_t k, const ir::Block& block, ir::ValueId id) {
   const auto& either = std::get<ir::Or>(block[id].op);
-  if (has_slow_side(decision, k, block, either)) return true;
+  if (has_slow_side(module, decision, k, block, either)) return true;
   const auto zones = sides_in_zones(module, decision, block, id);
   if (zones.empty()) return false;
   const auto steps = ir::steps_of(decision.monitors[k].recovery);

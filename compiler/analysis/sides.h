@@ -9,14 +9,14 @@
 
 namespace rtac::analysis {
 
-// Whether a value asks for no more than that the robot is slow, as slow as the recovery of monitor
-// `k` drives. Its brake makes the robot no faster: what held until it stands goes on to hold then.
-bool asks_for_slow(const ir::Decision& decision, std::size_t k, const ir::Block& block,
-                   ir::ValueId id);
+// Whether a value holds of each robot that is as slow as that, whatever inputs say.
+bool asks_for_slow(const ir::Module& module, const ir::Decision& decision, const ir::Block& block,
+                   ir::ValueId id, std::int64_t mmps);
 
-// Whether one side of an `or` does.
-bool has_slow_side(const ir::Decision& decision, std::size_t k, const ir::Block& block,
-                   const ir::Or& either);
+// Whether one side of an `or` does, as slow as the recovery of monitor `k` drives. Its brake makes
+// the robot no faster: what held until it stands goes on to hold then.
+bool has_slow_side(const ir::Module& module, const ir::Decision& decision, std::size_t k,
+                   const ir::Block& block, const ir::Or& either);
 
 // The zones of an `or` whose sides are nothing but `r inside Z` in the plane, else none.
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,

@@ -1,8 +1,10 @@
 #include "compiler/recheck/sides.h"
 
 #include <algorithm>
+#include <array>
 
 #include "compiler/recheck/at_worst.h"
+#include "compiler/sema/same.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -216,12 +218,47 @@ bool Sides::waits(const Part& part, const Rational& from_rest) {
   return most && from_rest > *most;
 }
 
+// Whatever inputs say: with one of them true and false, until none is left of which it matters.
 bool Sides::slow(const Part& part, const Rational& speed) {
-  const Split parts = split(part);
-  if (parts.all) {
-    return std::all_of(parts.parts.begin(), parts.parts.end(),
-                       [&](const Part& each) { return slow(each, speed); });
+  Told told;
+  return slow(part, speed, told);
+}
+bool Sides::slow(const Part& part, const Rational& speed, Told& told) {
+  constexpr std::size_t most = 6;  // of twice as many cases each
+  const sema::Expr* const open = said_by_inputs(part, told);
+  if (open == nullptr) return slow_if(part, speed, told);
+  if (told.size() == most) return false;
+  const bool all = std::ranges::all_of(std::array{true, false}, [&](bool value) {
+    told.emplace_back(open, value);
+    const bool is = slow(part, speed, told);
+    told.pop_back();
+    return is;
+  });
+  return all;
+}
+std::optional<bool> Sides::as_told(const Part& part, const Told& told) {
+  for (const auto& [expr, value] : told) {
+    if (sema::same_value(*expr, *part.expr)) return value == part.value;
   }
+  return std::nullopt;
+}
+const sema::Expr* Sides::said_by_inputs(const Part& part, const Told& told) {
+  const Split parts = split(part);
+  if (!parts.all && !parts.any) {
+    const bool open = !sema::speaks_of_robot(*part.expr) && !as_told(part, told);
+    return open ? part.expr : nullptr;
+  }
+  for (const Part& each : parts.parts) {
+    if (const sema::Expr* const found = said_by_inputs(each, told)) return found;
+  }
+  return nullptr;
+}
+bool Sides::slow_if(const Part& part, const Rational& speed, const Told& told) {
+  const Split parts = split(part);
+  const auto is = [&](const Part& each) { return slow_if(each, speed, told); };
+  if (parts.all) return std::ranges::all_of(parts.parts, is);
+  if (parts.any) return std::ranges::any_of(parts.parts, is);
+  if (const auto said = as_told(part, told)) return *said;
   bool strict = false;
   const auto most = most_speed(*part.expr, part.value, strict);
   return most && (strict ? speed < *most : speed <= *most);
@@ -322,6 +359,9 @@ Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
     }
     return Back::yes;
   }
+  const bool slow_enough = std::ranges::any_of(
+      parts.parts, [&](const Part& each) { return slow(each, rests.from_rest); });
+  if (slow_enough) return Back::yes;
   // what is told may keep its own side from holding for ever
   if (speaks_of_inputs(part) ? !some(Back::no) : some(Back::yes)) {
     const bool waits = some(Back::slow) || some(Back::until_told);

@@ -67,6 +67,13 @@ class Sides {
   [[nodiscard]] Rational while_driving(const Rational& speed) const;
   bool within_limits(const Part& part, const Rational& speed);
   bool slow(const Part& part, const Rational& speed);
+  // What inputs are taken to say.
+  using Told = std::vector<std::pair<const sema::Expr*, bool>>;
+  bool slow(const Part& part, const Rational& speed, Told& told);
+  static bool slow_if(const Part& part, const Rational& speed, const Told& told);
+  static std::optional<bool> as_told(const Part& part, const Told& told);
+  // The first that they say nothing of; null: there is none.
+  static const sema::Expr* said_by_inputs(const Part& part, const Told& told);
   bool slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest);
   static bool waits(const Part& part, const Rational& from_rest);
   bool slow_side(const Part& part, const Rational& speed);

@@ -73,6 +73,13 @@ class Rest {
     const bool told = a == AtRest::told || b == AtRest::told;
     if (a == AtRest::told && b == AtRest::told) return AtRest::told;
     const bool inputs = speaks_of_inputs(block, v.a) || speaks_of_inputs(block, v.b);
+    const auto is_slow = [&](ir::ValueId side) {
+      return analysis::asks_for_slow(s_.module, s_.decision, block, side, from_rest_mmps_);
+    };
+    if (inputs && (is_slow(v.a) || is_slow(v.b))) {
+      others_ = others;
+      return AtRest::given_back;
+    }
     const auto waits = [](AtRest one) { return one == AtRest::slow || one == AtRest::until_told; };
     if (inputs && (waits(a) || waits(b)) && a != AtRest::kept && b != AtRest::kept) {
       others_ = others;

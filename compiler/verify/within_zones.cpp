@@ -60,7 +60,7 @@ void ask_for(const Subject& s, std::size_t k, const ir::Block& block, ir::ValueI
   } else if (const auto* either = std::get_if<ir::Or>(&op)) {
     if (analysis::keeps_a_side(s.module, s.decision, s.exact, k, block, id)) {
       asked.by_sides = true;
-      if (!analysis::has_slow_side(s.decision, k, block, *either)) {
+      if (!analysis::has_slow_side(s.module, s.decision, k, block, *either)) {
         asked.either.push_back(analysis::sides_in_zones(s.module, s.decision, block, id));
       }
       return;

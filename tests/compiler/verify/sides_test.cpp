@@ -131,6 +131,28 @@ TEST_F(Sides, ASlowRecoveryKeepsALimitOfSpeed) {
             "refuted");
   EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
 }
+// How slow may depend on inputs, as long as each of their answers is kept; what only some of them
+// allow is not.
+TEST_F(Sides, ALimitOfSpeedMayDependOnInputs) {
+  const std::string inputs = kids +
+                             "input guests : int in 0 .. 20 max_age 2 s;\n"
+                             "input night : bool max_age 2 s;\n"
+                             "fun busy(n : int) : bool = n >= 3;\n";
+  const auto near = [&](const std::string& limit) {
+    return hall_with("always distance(r, kids) >= 50 cm or (" + limit + "); recover back;", inputs);
+  };
+  expect_proved(near("if busy(guests) then r.speed <= 0.6 m/s else r.speed <= 0.8 m/s"));
+  const Json claims = claims_of("P2a");
+  expect_proved(
+      near("if night then r.speed <= 0.6 m/s else "
+           "if busy(guests) then r.speed <= 0.7 m/s else r.speed <= 0.8 m/s"));
+  for (const char* const some : {"if busy(guests) then r.speed <= 0.1 m/s else r.speed <= 0.8 m/s",
+                                 "(guests >= 3 and r.speed <= 0.6 m/s) or "
+                                 "(guests < 2 and r.speed <= 0.8 m/s)"}) {
+    EXPECT_NE(status(near(some), "P2a"), "proved") << some;
+    EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation) << some;
+  }
+}
 // Nor does the recovery of another monitor break it (6005), and the robot is given back by both.
 TEST_F(Sides, AnotherRecoveryThatIsSlowKeepsIt) {
   const std::string fence =
