@@ -102,8 +102,11 @@ class Recoveries {
     const bool may_wait = (asks.distance && ir::moves(last)) ||
                           (asks.only_lower && last == ir::RecoveryKind::land) ||
                           monitor_.returns.how == ir::Returns::How::open;
-    // what cannot be looked ahead is reported by itself (5006), and so is what leads elsewhere
-    const bool reported = asks.other || misplaced_;
+    // what cannot be looked ahead is reported by itself (5006), and so is what leads elsewhere, and
+    // an external one without a claim (5019)
+    const bool unclaimed =
+        monitor_.recovery.kind == ir::RecoveryKind::external && !monitor_.recovery.claims;
+    const bool reported = asks.other || misplaced_ || unclaimed;
     if (written_.hold_reason && !holds && !may_wait) return reported ? void() : unneeded();
     if (written_.hold_reason || !holds) return;
     if (braked) return breaks_its_claim();

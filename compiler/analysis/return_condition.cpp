@@ -8,6 +8,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/tables.h"
@@ -399,8 +400,21 @@ class Judge {
     const auto drive = works ? std::nullopt : drive_for(source, least - best);
     d.help = works   ? "`" + percent(*works) + "` works" + beyond
              : drive ? "`drive` of at most " + *drive + " %/m works; or a nearer site"
-                     : "no charge works" + beyond + ": a nearer site is needed";
+                     : "no charge works" + beyond + ": " + shown_for(source, least - best);
     return d;
+  }
+  // With which a full battery is seen to have so much more.
+  std::string shown_for(const SourceRange& source, std::int64_t missing_ppm) const {
+    const std::int64_t full_ppm = shown_full_ppm(decision_.body);
+    const auto others =
+        of_ == nullptr
+            ? std::vector<std::string>{}
+            : repairs(of_->written, of_->trials, fault_of(diag::Code::return_set_empty, source),
+                      [&](const Trial& t) {
+                        return shown_full_ppm(t.decision.body) - full_ppm >= missing_ppm;
+                      });
+    if (!others.empty()) return joined(others) + " works";
+    return full_ppm > 0 ? "a nearer site is needed" : "its battery has to be measured better";
   }
   // With which a battery has as much as is missing.
   std::optional<std::string> drive_for(const SourceRange& source, std::int64_t missing_ppm) const {

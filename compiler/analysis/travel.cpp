@@ -146,11 +146,41 @@ Rational braking(const sema::RobotKind& kind) {
   return kind.motion.brake.value - disturbance_of(kind);
 }
 
-// It brakes, rests, sees where it does so, and looks for its way.
+Rational frequency_of(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational late = delay(kind, seconds_of(period_us));
+  return hold_frequency(body_of(kind, period_us), ceil_to_int(Rational(late * 1'000'000)));
+}
+
+// A hold is latched at v = rest_mps of the pilot and an error, at most, where that comes to rest: x
+// = v (t - (1 + omega t) r / 2) exp(-omega t) is below 1.23 v / omega exp(-0.7 omega t), and so
+// much more with as much delay as the frequency leaves room for. It has settled when it is seen as
+// near as counts, and slow enough to drive off (sway_slack_m, ready_mps of the pilot).
+// Wheels rest at once.
+Rational hold_seconds(const sema::RobotKind& kind, const Rational& period) {
+  if (kind.motion.turn) return 0;
+  const Rational omega = frequency_of(kind, ceil_to_int(Rational(period * 1'000'000)));
+  const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
+  const Rational pushes = disturbance_of(kind), b = kind.motion.brake.value;
+  const Rational acts = delay(kind, period);
+  const Rational seen = (errs + (b + pushes) * acts) * b / (b - pushes);
+  const Rational steers = std::min(kind.motion.accel.value, b);
+  const Rational slow = std::min(Rational(pace::creep_mmps, 1000), Rational(steers * acts)) / omega;
+  const Rational near = std::min(Rational(pace::sway_slack_mm, 1000), slow);
+  const Rational from = Rational(141, 100) * (seen + errs) / omega;
+  return log_over(from, near) / (Rational(7, 10) * omega);
+}
+
+// It brakes, rests, sees where it does so, and looks for its way; wheels when some measurements
+// tell that they stand.
 Rational rest_seconds(const sema::RobotKind& kind, const Rational& period) {
+  const int samples = kind.motion.turn ? pace::rest_samples : 1;
   return kind.motion.speed.value / braking(kind) +
-         pace::rest_samples * (delay(kind, period) + seconds_of(kind.velocity)) +
-         seconds_of(kind.position) + period + Rational(pace::look_every_ms, 1000);
+         samples * (delay(kind, period) + seconds_of(kind.velocity)) + seconds_of(kind.position) +
+         period + Rational(pace::look_every_ms, 1000);
+}
+// So often; but at its last rest its hold need not settle any more.
+Rational rests_seconds(const sema::RobotKind& kind, const Rational& period, const Rational& rests) {
+  return rests * rest_seconds(kind, period) + (rests - 1) * hold_seconds(kind, period);
 }
 
 }  // namespace
@@ -247,7 +277,7 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   // It rests first, and at the end of each piece of a way that has more points than fit, and more
   // points than cells it has not, again.
   const Rational stops = 2 + cells / pace::waypoints;
-  return metres / slowest + legs * leg.seconds + turning + stops * rest_seconds(kind, period);
+  return metres / slowest + legs * leg.seconds + turning + rests_seconds(kind, period, stops);
 }
 
 // It rests before it sets out, and at its end.
@@ -258,17 +288,8 @@ Rational leg_seconds(const sema::RobotKind& kind, const Rational& speed, std::in
   const Leg leg = leg_of(kind, speed, lasting, period);
   const Rational turning = 4 * Rational(7854, 10000) * leg.turn_s_per_rad;
   return Rational(distance_mm, 1000) / (speed - lasting) + leg.seconds + turning +
-         2 * rest_seconds(kind, period);
+         rests_seconds(kind, period, 2);
 }
-
-namespace {
-
-Rational frequency_of(const sema::RobotKind& kind, std::int64_t period_us) {
-  const Rational late = delay(kind, seconds_of(period_us));
-  return hold_frequency(body_of(kind, period_us), ceil_to_int(Rational(late * 1'000'000)));
-}
-
-}  // namespace
 
 Rational follows_up_to(const sema::RobotKind& kind, std::int64_t period_us) {
   const Rational omega = frequency_of(kind, period_us);

@@ -22,6 +22,7 @@ inline constexpr int hold_max_mradps = 2000;
 inline constexpr int hold_mrad_per_delay = 250;
 inline constexpr int hold_delay_least_us = 10'000;
 inline constexpr int hold_brake_shares = 4;
+inline constexpr int sway_slack_mm = 10;
 inline constexpr int turn_gain_milli_per_s = 1500;
 inline constexpr int turn_max_mradps = 1500;
 inline constexpr int turn_end_mrad = 100;

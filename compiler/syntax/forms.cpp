@@ -160,6 +160,25 @@ std::string phrase(std::string_view what, std::string_view form) {
   return std::string{what} + " `" + std::string{form} + '`';
 }
 
+// Of a safe controller, by what is there of it.
+std::string_view recovery_form(const std::vector<Token>& tokens, std::size_t begin,
+                               std::size_t end) {
+  const auto has = [&](TokenKind kind) {
+    return std::any_of(tokens.begin() + static_cast<std::ptrdiff_t>(begin),
+                       tokens.begin() + static_cast<std::ptrdiff_t>(end) + 1,
+                       [&](const Token& token) { return token.kind == kind; });
+  };
+  if (!has(T::SAFE)) return "";
+  if (has(T::EXTERN)) {
+    return "controller bought : safe for Cart extern keeps inside room speed <= 1 m/s;";
+  }
+  if (has(T::SEQUENCE)) {
+    return "controller calm : safe for Cart = sequence brake_and_hold for 2 s then retreat within "
+           "room speed 0.4 m/s;";
+  }
+  return "controller back : safe for Cart = retreat within room speed 0.4 m/s;";
+}
+
 }  // namespace
 
 const std::vector<Form>& all_forms() {
@@ -235,6 +254,11 @@ std::string form_help(const std::vector<Token>& tokens, const SyntaxError& error
     const bool of_signals = block == Block::monitor && !speaks_of_robot(tokens, begin);
     if (of_signals && tokens[begin].kind == T::ALWAYS) {
       return phrase("the form is", "always speed <= 1 m/s;");
+    }
+    if (tokens[begin].kind == T::CONTROLLER) {
+      if (const auto form = recovery_form(tokens, begin, error.index); !form.empty()) {
+        return phrase("the form is", form);
+      }
     }
     if (tokens[begin].kind == T::MONITOR && speaks_of_signals(tokens, begin)) {
       return phrase("the form is", kMonitorOfSignals);

@@ -4,13 +4,17 @@
 
 namespace rtac::simulate {
 
-Blame::Blame(std::size_t robots, std::size_t monitors) {
+Blame::Blame(std::size_t robots, std::size_t monitors)
+    : has_decided_(robots, false), undecided_(robots) {
   const Drove nobody{0, 0, 0, std::vector<bool>(monitors + 1, false), true};
   of_robot_.assign(robots, std::vector<Drove>(monitors, nobody));
 }
 
 void Blame::decided(const DecisionRecord& record) {
-  std::vector<Drove>& monitors = of_robot_[static_cast<std::size_t>(record.robot)];
+  const auto robot = static_cast<std::size_t>(record.robot);
+  if (!has_decided_[robot]) --undecided_;
+  has_decided_[robot] = true;
+  std::vector<Drove>& monitors = of_robot_[robot];
   for (std::size_t m = 0; m < monitors.size(); ++m) {
     Drove& drove = monitors[m];
     drove.holds = record.monitors[m].ahead == Verdict::is_true;

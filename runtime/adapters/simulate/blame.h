@@ -2,6 +2,7 @@
 // another one, whose pair with it `rtac verify` asks about.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "rtac/decision.h"
@@ -22,12 +23,16 @@ class Blame {
  public:
   Blame(std::size_t robots, std::size_t monitors);
   void decided(const DecisionRecord& record);
+  // Until then nobody drives some robot: its first tick is late.
+  [[nodiscard]] bool everybody_has_decided() const { return undecided_ == 0; }
   // Of the robot whose property is false, and of those whose look-ahead fails as well: of two that
   // are too close to each other, either may have come closer.
   [[nodiscard]] std::vector<Drove> who(int monitor, int robot) const;
 
  private:
   std::vector<std::vector<Drove>> of_robot_;  // by monitor
+  std::vector<bool> has_decided_;
+  std::size_t undecided_;
 };
 
 // By mode; empty: nobody is asked for, or ruled out.

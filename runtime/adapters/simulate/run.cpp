@@ -294,7 +294,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   int steps = 0;
   sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
     crowd.move(now_us);
-    referee.observe(now_us, world.truths());
+    if (now_us == 0 || blame.everybody_has_decided()) referee.observe(now_us, world.truths());
     const sim::Violation& violation = referee.first_violation();
     if (referee.violated() && to.drove.empty()) {
       to.drove = blame.who(violation.monitor, violation.robot);

@@ -179,7 +179,7 @@ TEST(Repairs, OneDriveMends5007And5012) {
       compiled(driver::test::read(driver::test::fs::path(RTAC_SOURCE_DIR) /
                                   "tests/compiler/analysis/repairs/far_for_a_charge.rta"));
   for (const Code code : {Code::return_set_empty, Code::site_unreachable}) {
-    EXPECT_EQ(number_in_help(*c, code, "`drive` of at most ", "%/m"), "8.86") << reports(*c);
+    EXPECT_EQ(number_in_help(*c, code, "`drive` of at most ", "%/m"), "8.85") << reports(*c);
   }
 }
 

@@ -75,6 +75,65 @@ TEST_F(Findings, InSpaceControlComesBackWithinWhatIsSaid) {
   }
 }
 
+// In the plane the hold of a stop has to settle before it sets out, slowly where positions come
+// late.
+TEST_F(Findings, AHoldThatSettlesSlowlyIsInWhatIsSaid) {
+  write("late.rta", R"(spec late;
+zone z = rectangle (0 m, 0 m) to (100 m, 100 m);
+robot R {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 0 m max_age 500 ms;
+  sense velocity : vector error 0 m/s max_age 20 ms;
+  output o : acceleration;
+  latency 400 ms;
+}
+fleet x : R;
+controller a : advanced for R extern;
+controller c : safe for R = retreat within z speed 0.4 m/s;
+monitor m for r : R { "T-1: in" always r inside z; recover c; }
+decision d for R { advanced a; period 50 ms; priority m; }
+)");
+  const Outcome proved = rtac({"verify", "late.rta"});
+  const std::size_t at = proved.out.find(" m, within ");
+  ASSERT_NE(at, std::string::npos) << proved.out;
+  const auto given_back = [&](double s) {
+    write("s.json", R"({"runs": 60, "adversary": "lasting-errors", "duration_s": 100,
+                        "return_within_s": )" +
+                        std::to_string(s) + "}");
+    return rtac({"sim", "late.rta", "--scenario", "s.json"}).status;
+  };
+  EXPECT_EQ(given_back(std::stod(proved.out.substr(at + 11))), exit_clean);
+  EXPECT_EQ(given_back(24.7), exit_violation);
+}
+
+// A first tick may be late: nobody drives before, and an agent may walk up to who stands.
+TEST_F(Findings, NobodyIsToBlameBeforeEverybodyHasDecided) {
+  write("met.rta", R"(spec met;
+zone z = rectangle (0 m, 0 m) to (20 m, 20 m);
+robot R {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output o : acceleration;
+  latency 20 ms;
+}
+fleet x : R;
+agent p[2] : radius 30 cm, speed <= 2 m/s error 10 cm max_age 100 ms;
+controller a : advanced for R extern;
+controller c : safe for R = brake_and_hold;
+monitor m for r : R { "T-1: off" always forall u : p : distance(r, u) >= 50 cm; recover c; }
+decision d for R {
+  advanced a; period 200 ms; jitter 150 ms; priority m;
+  acknowledge c may break m "stands";
+}
+)");
+  write("s.json", R"({"runs": 200, "duration_s": 1, "jitter_ms": 150})");
+  const Outcome o = rtac({"sim", "met.rta", "--scenario", "s.json"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
 // Decided in every period, which its look-ahead covers.
 TEST_F(Findings, ASoundLookAheadLeavesNothingUndecided) {
   const Outcome o =

@@ -45,6 +45,7 @@ class Crowds : public ::testing::Test {
 
 TEST_F(Crowds, StartWherePropertiesHold) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    properties_ = {gap_of_agent(seed % 2 == 0 ? 0.3 : 500)};
     const Crowd crowd(agents_, properties_, surroundings_, truths_, hostility_, seed, tape_);
     for (int r = 0; r < 2; ++r) {
       const Vec2 at = truths_[static_cast<std::size_t>(r)].position;

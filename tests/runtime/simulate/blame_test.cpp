@@ -49,6 +49,16 @@ TEST(Blame, IsOnWhoDrivesAtTheViolation) {
   EXPECT_TRUE(as_asked({}, who));
 }
 
+TEST(Blame, KnowsWhetherEverybodyHasDecided) {
+  Blame blame(robots, monitors);
+  for (int ticks = 0; ticks < 2; ++ticks) {
+    EXPECT_FALSE(blame.everybody_has_decided());
+    blame.decided(decision(1, 0, Verdict::is_true, false));
+  }
+  blame.decided(decision(0, 0, Verdict::is_true, false));
+  EXPECT_TRUE(blame.everybody_has_decided());
+}
+
 // The recovery that is left with it could not help it any more.
 TEST(Blame, IsOnWhoDroveWhenTheLookAheadHeldForTheLastTime) {
   const auto who = after({{2, Verdict::is_true}, {1, Verdict::is_true}, {2, Verdict::is_false}});
