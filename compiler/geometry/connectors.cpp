@@ -91,6 +91,7 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
                                          double reach_mm) {
   const Vec middle{x_mm + size_mm / 2, y_mm + size_mm / 2};
   const double limit = size_mm * std::sqrt(2.0) + reach_mm + std::max(clearance_mm_, body_mm_) + 1;
+  corner_x_mm_ = x_mm, corner_y_mm_ = y_mm, size_mm_ = size_mm, limit_mm_ = limit;
   near_.clear();
   for (std::size_t at = strip_of(middle.x - limit); at <= strip_of(middle.x + limit); ++at) {
     near_.insert(near_.end(), strips_[at].begin(), strips_[at].end());
@@ -102,6 +103,34 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
     return distance(start_of(edges_[i]), end_of(edges_[i]), middle) > limit;
   });
   return spot_at(middle.x, middle.y, size_mm);
+}
+
+// What lies farther from the middle of the cell than the limit tells nothing of it. Let p be the
+// middle of a part of the cell, r the radius of that and m the middle of the cell, so that |m - p|
+// + r is at most the size of the cell by sqrt(2). The gap of p is looked at up to the larger one of
+// both clearances. A leg from p to c is tested against the edges with a place e nearer to it than
+// the clearance and r, and against the place q of them that is nearest to p: |p - q| <= |p - e| <
+// |c - p| + clearance + r, and |c - p| <= reach + |m - p|, so that |m - q| is less than the reach,
+// the clearance and twice |m - p| + r: the limit. And whether p is in the zone is told by the
+// nearest edge, which has that on its left, if there is one within the limit.
+std::vector<std::int32_t> Connectors::edges_off_corner() const {
+  const double far = std::ceil(limit_mm_);
+  // an edge along an axis is cut where it leaves a square around the circle of the limit
+  const auto off = [&](std::int32_t at, double corner, bool is_cut) {
+    const double off_mm = at - corner;
+    return static_cast<std::int32_t>(is_cut ? std::clamp(off_mm, -far, far + size_mm_) : off_mm);
+  };
+  std::vector<std::array<std::int32_t, 4>> edges;
+  for (const std::uint32_t i : near_) {
+    const auto& [a, b] = std::pair{edges_[i].a, edges_[i].b};
+    const bool is_cut = a.x_mm == b.x_mm || a.y_mm == b.y_mm;
+    edges.push_back({off(a.x_mm, corner_x_mm_, is_cut), off(a.y_mm, corner_y_mm_, is_cut),
+                     off(b.x_mm, corner_x_mm_, is_cut), off(b.y_mm, corner_y_mm_, is_cut)});
+  }
+  std::ranges::sort(edges);
+  std::vector<std::int32_t> all;
+  for (const auto& ends : edges) all.insert(all.end(), ends.begin(), ends.end());
+  return all;
 }
 
 Connectors::Spot Connectors::spot_at(double x_mm, double y_mm, double side_mm) const {

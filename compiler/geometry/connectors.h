@@ -39,6 +39,9 @@ class Connectors {
     [[nodiscard]] double radius_mm() const;  // of the circle around it
   };
   [[nodiscard]] Spot look_around(double x_mm, double y_mm, double size_mm, double reach_mm);
+  // Edges by their ends off the corner of that cell. Where they are the same, legs of up to
+  // `reach_mm` are as sound from there: of edges along an axis, the parts far off are cut off.
+  [[nodiscard]] std::vector<std::int32_t> edges_off_corner() const;
   // How many edges that took a look at.
   [[nodiscard]] std::int64_t looked_at() const { return looked_at_; }
   [[nodiscard]] std::array<Spot, 4> quarters(const Spot& spot) const;
@@ -60,6 +63,8 @@ class Connectors {
   double west_ = 0, strip_mm_ = 1;
   std::vector<std::vector<std::uint32_t>> strips_;
   std::vector<std::uint32_t> near_;  // edges that matter for the cell
+  double corner_x_mm_ = 0, corner_y_mm_ = 0, size_mm_ = 0;
+  double limit_mm_ = 0;  // from its middle, of what matters of them
   std::int64_t looked_at_ = 0;
 };
 

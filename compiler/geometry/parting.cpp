@@ -8,7 +8,11 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/geometry/alike.h"
+#include "compiler/geometry/clear_cells.h"
+#include "compiler/geometry/clearings.h"
 #include "compiler/geometry/connectors.h"
+#include "compiler/geometry/kept.h"
 #include "compiler/geometry/receding.h"
 
 namespace rtac::geometry {
@@ -22,11 +26,10 @@ constexpr int halvings_max = 5, halvings_of_both_max = 3;
 constexpr int far_cells_max = 20;
 // Cells and legs that are looked at, over all pairs.
 constexpr std::int64_t looks_max = 800'000'000;
-struct Step {
-  int columns, rows;
-};
-constexpr std::array<Step, 8> steps{
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+// So many pairs that part are remembered, as a power of 2.
+constexpr int known_bits = 20;
+// Cells that ways are remembered of: of two bits each, 200 MB.
+constexpr std::size_t known_ways_max = 800'000'000;
 
 class Search {
  public:
@@ -37,45 +40,68 @@ class Search {
         size_(cells.cell_mm),
         far_mm_(std::min(1.5 * query.clearance_mm + 4 * size_ + 400, far_cells_max * size_)),
         window_(static_cast<int>(std::ceil(query.goal_mm / size_)) + 3),
+        clear_(cells, query.clearance_mm),
+        alike_(cells, clear_, Connectors(edges, query.clearance_mm, query.body_mm), around_cells(),
+               far_mm_),
+        holds_somebody_(alike_.kinds()),
         places_(cells.clearance_mm_lo.size()) {
-    for (int cell = 0; index(cell) < places_.size(); ++cell) steps_.push_back(steps_from(cell));
+    looks_ += alike_.looked_at();
+    const Clearings clearings = clearings_of();
+    for (int cell = 0; index(cell) < places_.size(); ++cell) {
+      steps_.push_back(steps_from(cell));
+      clearings_.push_back(clearings.clear_from(clear_, column(cell), row(cell)));
+    }
   }
 
   Parting run() {
-    const int count = static_cast<int>(cells_.clearance_mm_lo.size());
-    for (int one = 0; one < count; ++one) {
-      if (is_outside(one) || !place(one).patch) continue;
-      for (const int other : near(one)) {
-        if (!place(other).patch) continue;
-        const bool part = they_part(one, other, false) || they_part(one, other, true);
+    const std::vector<Near> near = near_cells();
+    for (int one = 0; index(one) < places_.size(); ++one) {
+      forget_before(one);
+      if (!holds_somebody(one)) continue;
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        const auto& [step, one_leaves, other_leaves] = near[i];
+        const int c = column(one) + step.columns, r = row(one) + step.rows;
+        if (c < 0 || c >= cells_.columns || r >= cells_.rows) continue;
+        const int other = r * cells_.columns + c;
+        ++looks_;
+        if ((clearings_[index(one)] & one_leaves) != 0 ||
+            (clearings_[index(other)] & other_leaves) != 0 || !holds_somebody(other) ||
+            is_known(one, other, i)) {
+          continue;
+        }
+        const bool part = they_part(one, other);
         if (looks_ > looks_max) return {Parting::How::too_large, {}, {}};
         if (!part) return {Parting::How::stuck, at(one), at(other)};
+        remember(one, other, i);
       }
     }
     return {};
   }
 
  private:
-  // Of the cells around one, those from whose middles ways lead.
+  // Of the cells around one, those from whose middles ways lead, as far as that has been asked.
   struct Ways {
-    int west = 0, south = 0;
-    std::shared_ptr<const std::vector<bool>> lead;
+    std::vector<bool> asked, lead;
+  };
+  // The step to a cell, and the sets of clearings over which one of the two leaves the other.
+  struct Near {
+    Step step;
+    std::uint8_t one_leaves, other_leaves;
   };
   // A part of a cell, which legs are sound from anywhere in it, and the ways of others when a robot
   // stands there.
   struct Patch {
     Connectors::Spot spot;
     std::vector<int> sound;
-    std::optional<std::vector<int>> far{};  // the same of those farther off, once it is asked for
+    std::vector<std::optional<bool>> far{};  // the same of those farther off, once it is asked for
     std::vector<std::optional<Patch>> parts{};  // none: no body can be there
     int last = -1;  // the leg that did for one place of the other robot: often for the next, too
-    std::optional<Ways> ways{};
+    std::shared_ptr<Ways> ways{};
   };
   struct Place {
     bool looked_at = false;
-    int surroundings = -1;                   // number of what is clear around it
     std::vector<int> landings;               // the search joins to all of them,
-    std::vector<int> far;                    // or else to the nearest one of these
+    std::vector<int> far;                    // or else to the nearest one of these: by distance
     std::unique_ptr<Connectors> connectors;  // of a cell that is not clear enough for ways
     std::optional<Patch> patch;
   };
@@ -92,15 +118,16 @@ class Search {
     return {cells_.origin.x_mm + (column(cell) + 0.5) * size_,
             cells_.origin.y_mm + (row(cell) + 0.5) * size_};
   }
+  [[nodiscard]] double squared_off(int cell, Vec p) const {
+    return squared(middle(cell).x - p.x) + squared(middle(cell).y - p.y);
+  }
   [[nodiscard]] GridPoint at(int cell) const {
     const Vec m = middle(cell);
     return {static_cast<std::int32_t>(m.x), static_cast<std::int32_t>(m.y)};
   }
   [[nodiscard]] bool is_outside(int cell) const { return cells_.clearance_mm_lo[index(cell)] < 0; }
   // Ways lead over it.
-  [[nodiscard]] bool is_clear(int cell) const {
-    return !is_outside(cell) && cells_.clearance_mm_lo[index(cell)] >= query_.clearance_mm;
-  }
+  [[nodiscard]] bool is_clear(int cell) const { return clear_.at(column(cell), row(cell)); }
   static Box box_of(const Connectors::Spot& spot) {
     return {{spot.x_mm, spot.y_mm}, spot.side_mm / 2};
   }
@@ -129,47 +156,79 @@ class Search {
     }
     return all;
   }
-  // The cells from this one on of which some place is so near to one of its own.
-  [[nodiscard]] std::vector<int> near(int cell) const {
-    std::vector<int> all;
-    const Vec m = middle(cell);
-    around(cell, query_.apart_mm + size_, [&](int other) {
-      if (other < cell || is_outside(other)) return;
-      if (!is_beyond(middle(other), {m, size_}, query_.apart_mm)) all.push_back(other);
-    });
-    return all;
+  [[nodiscard]] Clearings clearings_of() const {
+    return {size_, static_cast<double>(query_.goal_mm), landing_reach_mm()};
   }
-  // All cells of the rectangle between two are those that ways lead over.
-  [[nodiscard]] bool all_clear(int a, int b) {
-    if (not_clear_.empty()) sum_up();
-    const auto sum = [&](int c, int r) { return not_clear_[index(r * (cells_.columns + 1) + c)]; };
-    const auto [west, east] = std::minmax({column(a), column(b)});
-    const auto [south, north] = std::minmax({row(a), row(b)});
-    return sum(east + 1, north + 1) - sum(west, north + 1) - sum(east + 1, south) +
-               sum(west, south) ==
-           0;
-  }
-  // Of the cells south-west of each corner, how many are not clear.
-  void sum_up() {
-    const int width = cells_.columns + 1;
-    not_clear_.assign(index(width * (cells_.rows + 1)), 0);
-    for (int r = 0; r < cells_.rows; ++r) {
-      std::int32_t of_row = 0;
-      for (int c = 0; c < cells_.columns; ++c) {
-        of_row += is_clear(r * cells_.columns + c) ? 0 : 1;
-        not_clear_[index((r + 1) * width + c + 1)] = not_clear_[index(r * width + c + 1)] + of_row;
+  // From a cell to itself and the later ones of which some place is so near to one of its own.
+  [[nodiscard]] std::vector<Near> near_cells() {
+    constexpr std::int64_t looks_of_each = 1000;
+    std::vector<Near> all;
+    const Clearings clearings = clearings_of();
+    const int far = static_cast<int>((query_.apart_mm + size_) / size_);
+    const int columns = std::min(far, cells_.columns - 1), rows = std::min(far, cells_.rows - 1);
+    for (int r = 0; r <= rows; ++r) {
+      for (int c = r == 0 ? 0 : -columns; c <= columns; ++c) {
+        const Vec off{c * size_, r * size_};
+        const double half = size_ / 2;
+        if (is_beyond(off, {{}, size_}, query_.apart_mm)) continue;
+        if (farthest_squared({{}, half}, {off, half}) < squared(query_.nearest_mm)) continue;
+        all.push_back({{c, r}, clearings.that_do({c, r}), clearings.that_do({-c, -r})});
+        looks_ += looks_of_each;
+        if (query_.each_alone) all.back().one_leaves = all.back().other_leaves = 0;
       }
     }
+    return all;
   }
 
+  // As far as legs lead from a cell, with the cells between, and ways around it.
+  [[nodiscard]] int around_cells() const {
+    return std::max(window_, static_cast<int>(std::max(far_mm_, landing_reach_mm()) / size_) + 1);
+  }
+  bool holds_somebody(int cell) {
+    if (alike_.kind(cell) < 0) return false;
+    std::optional<bool>& does = holds_somebody_[index(alike_.kind(cell))];
+    if (!does) does = place(cell).patch.has_value();
+    return *does;
+  }
+  // Places before this one are not looked at again, and ways are found again where they are.
+  void forget_before(int cell) {
+    if (cell > 0) places_[index(cell - 1)] = {};
+    if (known_ways_.size() * squared_window() > known_ways_max) known_ways_.clear();
+  }
+  // Whether such a pair has been shown to part. What is forgotten is looked at once more.
+  [[nodiscard]] bool is_known(int one, int other, std::size_t offset) {
+    return !query_.each_alone && known_[slot(pair(one, other, offset))] == pair(one, other, offset);
+  }
+  void remember(int one, int other, std::size_t offset) {
+    if (alike_.is_single(one) || alike_.is_single(other)) return;  // none like them comes
+    known_[slot(pair(one, other, offset))] = pair(one, other, offset);
+  }
+  // Their kinds and the offset, each of which is less than 2^21, for at most 1,000,000 cells.
+  [[nodiscard]] std::uint64_t pair(int one, int other, std::size_t offset) const {
+    const auto kind = [&](int cell) { return static_cast<std::uint64_t>(alike_.kind(cell) + 1); };
+    return (kind(one) << 21U | kind(other)) << 21U | offset;
+  }
+  static std::size_t slot(std::uint64_t pair) {
+    return static_cast<std::size_t>(pair * 0x9E37'79B9'7F4A'7C15U >> (64 - known_bits));
+  }
+
+  // All cells of the rectangle between two are those that ways lead over.
+  [[nodiscard]] bool all_clear(int a, int b) const {
+    const auto [west, east] = std::minmax({column(a), column(b)});
+    const auto [south, north] = std::minmax({row(a), row(b)});
+    return clear_.all(west, south, east, north);
+  }
+
+  // connector_reach_m of grid_route
+  [[nodiscard]] double landing_reach_mm() const { return std::max(400.0, 2 * size_); }
   Place& place(int cell) {
     Place& p = places_[index(cell)];
     if (p.looked_at) return p;
     p.looked_at = true;
     const Vec m = middle(cell);
-    // what the search joins to from everywhere in the cell (connector_reach_m of grid_route), and
-    // what it joins to when there is none of that: in a corner about as far off as ways are clear
-    const double reach_mm = std::max(400.0, 2 * size_);
+    // what the search joins to from everywhere in the cell, and what it joins to when there is none
+    // of that: in a corner about as far off as ways are clear
+    const double reach_mm = landing_reach_mm();
     around(cell, far_mm_, [&](int to) {
       if (!is_clear(to)) return;
       const double off_mm = std::hypot(middle(to).x - m.x, middle(to).y - m.y);
@@ -179,6 +238,7 @@ class Search {
         p.far.push_back(to);
       }
     });
+    std::ranges::stable_sort(p.far, {}, [&](int to) { return squared_off(to, m); });
     if (is_clear(cell)) {
       // every place between is as clear as ways are
       std::erase_if(p.landings, [&](int to) { return !all_clear(cell, to); });
@@ -193,16 +253,14 @@ class Search {
   }
   std::optional<Patch> patch_of(const Place& p, const Connectors::Spot& spot) {
     if (p.connectors->holds_nobody(spot)) return std::nullopt;
-    return Patch{spot, sound_of(p, spot, p.landings)};
+    Patch patch{spot, {}};
+    std::ranges::copy_if(p.landings, std::back_inserter(patch.sound),
+                         [&](int to) { return is_sound(p, spot, to); });
+    return patch;
   }
-  std::vector<int> sound_of(const Place& p, const Connectors::Spot& spot,
-                            const std::vector<int>& landings) {
-    looks_ += static_cast<std::int64_t>(landings.size()) * 10;
-    std::vector<int> sound;
-    std::copy_if(landings.begin(), landings.end(), std::back_inserter(sound), [&](int to) {
-      return p.connectors->is_sound(spot, {middle(to).x, middle(to).y, 0});
-    });
-    return sound;
+  bool is_sound(const Place& p, const Connectors::Spot& spot, int to) {
+    looks_ += 10;
+    return p.connectors->is_sound(spot, {middle(to).x, middle(to).y, 0});
   }
   void cut(const Place& p, Patch& patch) {
     if (!patch.parts.empty()) return;
@@ -221,10 +279,14 @@ class Search {
     }
   }
 
-  bool they_part(int one, int other, bool by_far_cells) {
-    by_far_cells_ = by_far_cells;
-    return they_part({one, place(one), *place(one).patch},
-                     {other, place(other), *place(other).patch}, halvings_of_both_max);
+  bool they_part(int one, int other) {
+    if (!place(one).patch || !place(other).patch) return true;  // nobody is there
+    const Robot a{one, place(one), *place(one).patch}, b{other, place(other), *place(other).patch};
+    by_far_cells_ = false;  // mostly
+    const bool near_do = !a.place.landings.empty() || !b.place.landings.empty();
+    if (near_do && they_part(a, b, halvings_of_both_max)) return true;
+    by_far_cells_ = true;
+    return they_part(a, b, halvings_of_both_max);
   }
   // From wherever the two stand in their patches, a way is sure to be found for one of them.
   bool they_part(Robot one, Robot other, int halvings) {
@@ -234,7 +296,7 @@ class Search {
     if (is_beyond(here.middle, both, query_.apart_mm)) return true;
     if (leaves(one, other, 0) || leaves(other, one, 0)) return true;  // mostly
     if (leaves(one, other, halvings_max) || leaves(other, one, halvings_max)) return true;
-    const std::vector<Octant> off = octants(here, there);
+    const Octants off = octants(here, there);
     const bool either = std::all_of(off.begin(), off.end(), [&](const Octant& o) {
       const Octant back{Vec{-o[0].x, -o[0].y}, Vec{-o[1].x, -o[1].y}};
       return leaves_along(one, other, o) || leaves_along(other, one, back);
@@ -262,7 +324,7 @@ class Search {
         some_leg(one, other, [&](Vec c) { return recedes(c, here, there); })) {
       return true;
     }
-    const std::vector<Octant> off = octants(here, there);
+    const Octants off = octants(here, there);
     if (std::all_of(off.begin(), off.end(),
                     [&](const Octant& o) { return leaves_along(one, other, o); })) {
       return true;
@@ -301,12 +363,16 @@ class Search {
       patch.last = *found;
       return true;
     }
-    if (!by_far_cells_ || place.far.empty()) return false;
-    if (!patch.far) patch.far = sound_of(place, patch.spot, place.far);
-    looks_ += static_cast<std::int64_t>(patch.far->size());
-    return std::any_of(patch.far->begin(), patch.far->end(), [&](int to) {
-      return is_good(middle(to)) && all_lead_up_to(to, one, other);
-    });
+    if (!by_far_cells_) return false;
+    patch.far.resize(place.far.size());
+    for (std::size_t i = 0; i < place.far.size(); ++i) {
+      const int to = place.far[i];
+      ++looks_;
+      if (!is_good(middle(to)) || !all_lead_up_to(to, one, other)) continue;
+      if (!patch.far[i]) patch.far[i] = is_sound(place, patch.spot, to);
+      if (*patch.far[i]) return true;
+    }
+    return false;
   }
   // The search begins with the nearest cell that it joins to: with this one, or with one that is
   // nearer. Of those that may be, all are among the landings unless this is one of the farthest.
@@ -314,92 +380,86 @@ class Search {
     const Box here = box_of(one.patch.spot);
     const double reach_mm = std::sqrt(farthest_squared({middle(landing), 0}, here));
     if (reach_mm + size_ > far_mm_) return false;
-    const auto all_lead = [&](const std::vector<int>& cells) {
-      return std::all_of(cells.begin(), cells.end(), [&](int to) {
-        return is_beyond(middle(to), here, reach_mm) || leads_if_joined(to, one, other);
-      });
+    const auto may_lead_back = [&](int to) {
+      ++looks_;
+      return !is_beyond(middle(to), here, reach_mm) && !leads_if_joined(to, one, other);
     };
-    return all_lead(one.place.landings) && all_lead(one.place.far);
+    const Vec m = middle(one.cell);
+    const double farthest = squared(reach_mm + size_);  // from there none is nearer to the patch
+    const auto& far = one.place.far;
+    const auto end = std::ranges::find_if(
+        far, [&](int to) { return squared_off(to, m) > farthest || may_lead_back(to); });
+    return (end == far.end() || squared_off(*end, m) > farthest) &&
+           std::ranges::none_of(one.place.landings, may_lead_back);
   }
 
-  // Beyond the window every cell that ways lead over is a goal.
-  [[nodiscard]] bool leads(int cell, Robot other) {
-    return lead_on(ways_from(other), cell).value_or(true);
+  // From the middle of a cell that ways lead over one leads to a goal, receding step by step from
+  // every place of the other one's patch.
+  bool leads(int cell, Robot other) {
+    if (!other.patch.ways) other.patch.ways = ways_from(other);
+    Ways& ways = *other.patch.ways;
+    const std::optional<std::size_t> slot = slot_around(other.cell, cell);
+    if (slot && ways.asked[*slot]) return ways.lead[*slot];  // mostly
+    return leads_on(cell, other.cell, box_of(other.patch.spot), ways);
   }
-  const Ways& ways_from(Robot other) {
-    std::optional<Ways>& ways = other.patch.ways;
-    if (ways) return *ways;
-    const int west = column(other.cell) - window_, south = row(other.cell) - window_;
+  // How many cells are around one.
+  [[nodiscard]] std::size_t squared_window() const {
+    return index(2 * window_ + 1) * index(2 * window_ + 1);
+  }
+  std::shared_ptr<Ways> ways_from(Robot other) {
     const Box there = box_of(other.patch.spot);
-    if (other.place.surroundings < 0) {
-      other.place.surroundings =
-          surroundings_.emplace(clear_around(other.cell), static_cast<int>(surroundings_.size()))
-              .first->second;
-    }
     const Vec m = middle(other.cell);
-    auto& lead = known_ways_[{static_cast<double>(other.place.surroundings), there.half,
-                              there.middle.x - m.x, there.middle.y - m.y}];
-    if (!lead) lead = std::make_shared<const std::vector<bool>>(find_ways(other.cell, there));
-    ways = Ways{west, south, lead};
-    return *ways;
-  }
-  // Where as much is clear around a cell, the same ways lead away from it.
-  [[nodiscard]] std::vector<bool> clear_around(int cell) {
-    std::vector<bool> all;
-    looks_ += std::int64_t{2} * window_ * window_;
-    for (int r = row(cell) - window_; r <= row(cell) + window_; ++r) {
-      for (int c = column(cell) - window_; c <= column(cell) + window_; ++c) {
-        const bool in_grid = c >= 0 && r >= 0 && c < cells_.columns && r < cells_.rows;
-        all.push_back(in_grid && is_clear(r * cells_.columns + c));
-      }
+    auto& known = known_ways_[{static_cast<double>(alike_.surroundings(other.cell)), there.half,
+                               there.middle.x - m.x, there.middle.y - m.y}];
+    if (!known) {
+      const std::size_t count = squared_window();
+      looks_ += static_cast<std::int64_t>(count) / 64;
+      known = std::make_shared<Ways>(Ways{std::vector<bool>(count), std::vector<bool>(count)});
     }
-    return all;
+    return known;
   }
-  // none: too far off.
-  [[nodiscard]] std::optional<bool> lead_on(const Ways& ways, int cell) const {
-    const int c = column(cell) - ways.west, r = row(cell) - ways.south, width = 2 * window_ + 1;
-    if (c < 0 || r < 0 || c >= width || r >= width) return std::nullopt;
-    return (*ways.lead)[index(r * width + c)];
-  }
-  // Backwards from the goals: the cells from whose middles ways recede step by step from every
-  // place of the box.
-  std::vector<bool> find_ways(int there, const Box& other) {
-    const int width = 2 * window_ + 1, west = column(there) - window_, south = row(there) - window_;
-    std::vector<bool> lead(index(width * width), false);
-    const auto mark = [&](int cell) {
-      const int c = column(cell) - west, r = row(cell) - south;
-      if (c < 0 || r < 0 || c >= width || r >= width) return false;
-      std::vector<bool>::reference known = lead[index(r * width + c)];
-      const bool news = !known;
-      known = true;
-      return news;
-    };
-    std::vector<int> open;
-    around(there, window_ * size_, [&](int cell) {
-      ++looks_;
-      const bool is_goal = is_clear(cell) && is_beyond(middle(cell), other, query_.goal_mm);
-      if (is_goal && mark(cell)) open.push_back(cell);
-    });
-    while (!open.empty()) {
-      const int to = open.back();
-      open.pop_back();
-      const Vec end = middle(to);
-      looks_ += 8;
-      for (std::size_t i = 0; i < steps.size(); ++i) {
-        if ((steps_[index(to)] >> i & 1) == 0) continue;
-        // backwards: the step leads on from there, and recedes from all of the box
-        const auto [columns, rows] = steps[i];
-        const Vec step{-columns * size_, -rows * size_};
-        const Vec off{end.x - step.x - other.middle.x, end.y - step.y - other.middle.y};
-        if (!recedes(step.x * off.x - other.half * std::abs(step.x),
-                     step.y * off.y - other.half * std::abs(step.y))) {
-          continue;
-        }
-        const int from = to + rows * cells_.columns + columns;
-        if (mark(from)) open.push_back(from);
+  // Step by step, and from where no way goes on, back to the last place before it. Each step leads
+  // farther off, so that no way comes back to where it has been.
+  bool leads_on(int cell, int there, const Box& other, Ways& ways) {
+    std::vector<std::pair<int, std::size_t>> way{{cell, 0}};  // with the steps that have been tried
+    bool lead = false;
+    while (!way.empty() && !lead) {
+      auto& [at, tried] = way.back();
+      const std::optional<std::size_t> slot = slot_around(there, at);
+      // beyond the window all are goals
+      lead = !slot ||
+             (ways.asked[*slot] ? ways.lead[*slot] : is_beyond(middle(at), other, query_.goal_mm));
+      if (lead) break;
+      while (!ways.asked[*slot] && tried < steps.size() && !steps_off(at, tried, other)) ++tried;
+      if (ways.asked[*slot] || tried == steps.size()) {
+        ways.asked[*slot] = true;
+        way.pop_back();
+        continue;
       }
+      const auto [columns, rows] = steps[tried++];
+      looks_ += 8;
+      way.emplace_back(at + rows * cells_.columns + columns, 0);
+    }
+    for (const auto& [at, tried] : way) {
+      const std::optional<std::size_t> slot = slot_around(there, at);
+      if (slot) ways.asked[*slot] = ways.lead[*slot] = true;
     }
     return lead;
+  }
+  // Where a cell is among those around one.
+  [[nodiscard]] std::optional<std::size_t> slot_around(int there, int cell) const {
+    const int c = column(cell) - column(there) + window_, r = row(cell) - row(there) + window_;
+    const int width = 2 * window_ + 1;
+    if (c < 0 || r < 0 || c >= width || r >= width) return std::nullopt;
+    return index(r * width + c);
+  }
+  // Such a step leads on from there, and recedes from all of the box.
+  [[nodiscard]] bool steps_off(int cell, std::size_t i, const Box& other) const {
+    if ((steps_[index(cell)] >> i & 1) == 0) return false;
+    const Vec from = middle(cell), step{steps[i].columns * size_, steps[i].rows * size_};
+    const double x = from.x - other.middle.x, y = from.y - other.middle.y;
+    return recedes(step.x * x - other.half * std::abs(step.x),
+                   step.y * y - other.half * std::abs(step.y));
   }
 
   const std::vector<EdgeRow>& edges_;
@@ -408,12 +468,16 @@ class Search {
   const double size_;
   const double far_mm_;  // from the middle of a cell to what the search may join to from there
   const int window_;     // cells to each side of one, up to where ways from it end
+  const ClearCells clear_;
+  const Alike alike_;
+  std::vector<std::optional<bool>> holds_somebody_;  // by kinds, as far as that has been asked
   std::vector<Place> places_;
   std::vector<std::uint8_t> steps_;
-  std::vector<std::int32_t> not_clear_;
-  std::map<std::vector<bool>, int> surroundings_;  // their numbers, by which cells are clear
-  // By those, and by how wide and where in its cell a part of it is.
-  std::map<std::array<double, 4>, std::shared_ptr<const std::vector<bool>>> known_ways_;
+  std::vector<std::uint8_t> clearings_;  // by cells
+  std::vector<std::uint64_t> known_ = std::vector<std::uint64_t>(std::size_t{1} << known_bits, 0);
+  // Where as much is clear around a cell, the same ways lead away from it: by that, and by how wide
+  // and where in its cell a part of it is.
+  std::map<std::array<double, 4>, std::shared_ptr<Ways>> known_ways_;
   bool by_far_cells_ = false;
   std::int64_t looks_ = 0;
 };
@@ -422,7 +486,8 @@ class Search {
 
 Parting parting(const std::vector<EdgeRow>& edges, const CellGrid& cells,
                 const PartingQuery& query) {
-  return Search(edges, cells, query).run();
+  thread_local Kept<std::pair<Drawn, PartingQuery>, Parting> kept;
+  return kept.find({Drawn(edges, cells), query}, [&] { return Search(edges, cells, query).run(); });
 }
 
 }  // namespace rtac::geometry

@@ -16,6 +16,8 @@ struct PartingQuery {
   std::int32_t nearest_mm = 0;    // no two robots are nearer to each other
   std::int32_t apart_mm = 0;      // at which they need not part
   std::int32_t goal_mm = 0;       // at which a way may end
+  bool each_alone = false;        // pairs that look alike are each looked at, for tests
+  friend bool operator==(const PartingQuery&, const PartingQuery&) = default;
 };
 
 struct Parting {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
 
 namespace rtac::geometry {
 
@@ -96,9 +96,17 @@ inline bool comes_nearer(Vec c, const Box& from, const Octant& off) {
     return x <= 0 && y <= 0;
   });
 }
+// Some of them.
+struct Octants {
+  std::array<Octant, 8> all;
+  std::size_t count = 0;
+  void push_back(const Octant& o) { all[count++] = o; }
+  [[nodiscard]] auto begin() const { return all.begin(); }
+  [[nodiscard]] auto end() const { return all.begin() + count; }
+};
 // In which directions the places of one box are off those of another one.
-inline std::vector<Octant> octants(const Box& one, const Box& other) {
-  std::vector<Octant> all;
+inline Octants octants(const Box& one, const Box& other) {
+  Octants all;
   const double half = one.half + other.half;
   const Vec off{one.middle.x - other.middle.x, one.middle.y - other.middle.y};
   for (const double sx : {-1.0, 1.0}) {

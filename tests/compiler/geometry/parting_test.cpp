@@ -152,6 +152,68 @@ TEST(Parting, WhereTheSearchFindsNothingEither) {
   Pairs pairs(zone, cart);
   EXPECT_FALSE(pairs.leaves({0.3, 0.3}, {0.6, 0.6}) || pairs.leaves({0.6, 0.6}, {0.3, 0.3}));
 }
+
+// That pairs look alike, or leave over what is clear beside them, changes nothing of what is found.
+void expect_the_same_alone(const BakedZone& zone, PartingQuery query) {
+  const Parting found = parting_of(zone, query);
+  query.each_alone = true;
+  const Parting alone = parting_of(zone, query);
+  EXPECT_EQ(found.how, alone.how);
+  EXPECT_EQ(found.one, alone.one);
+  EXPECT_EQ(found.other, alone.other);
+}
+TEST(Parting, IsTheSamePairByPairInRandomRooms) {
+  std::mt19937 random(23);
+  for (int i = 0; i < rooms_count() / 3; ++i) {
+    const BakedZone zone = bake(*snap_inside(random_room(random)), 100);
+    const auto upto = [&](int most) { return static_cast<int>(random() % unsigned(most)); };
+    PartingQuery query{120 + upto(200), 40 + upto(80), 0, 300 + upto(700), 0};
+    query.nearest_mm = 2 * query.body_mm;
+    query.goal_mm = query.apart_mm + upto(80);
+    expect_the_same_alone(zone, query);
+    if (HasFailure()) FAIL() << "room " << i;
+  }
+}
+// Pillars in a hall, a whole number of cells apart and one like the other; beside the last one
+// there is a dead end, or a notch that only edges tell of.
+Region pillars(const Region& last) {
+  Region all = box(0, 0, 15'000, 5000).unite(last);
+  for (long x = 2000; x < 14'000; x += 3000) {
+    all = all.subtract(box(x, 2000, x + 1000, 3000));
+  }
+  return all;
+}
+TEST(Parting, IsTheSamePairByPairAmongPillars) {
+  const Region alike = box(0, 0, 100, 100), dead_end = box(12'200, 4900, 12'900, 6500);
+  const Region notch = polygon({mm(12'200, 4990), mm(12'300, 4990), mm(12'260, 5070)});
+  for (const Region& last : {alike, dead_end, notch}) {
+    for (const int corner : {0, 33}) {
+      const Region zone = pillars(last).subtract(box(-10, -10, corner, 10));
+      expect_the_same_alone(bake(*snap_inside(zone), 100), cart);
+    }
+  }
+  EXPECT_EQ(parting_in(pillars(alike)).how, Parting::How::shown);
+  const Parting stuck = parting_in(pillars(dead_end));
+  ASSERT_EQ(stuck.how, Parting::How::stuck);
+  EXPECT_GT(stuck.one.x_mm, 11'500);
+  EXPECT_GT(stuck.one.y_mm, 4000);
+}
+// Of a large basin most pairs of cells look alike. Vessels in it keep far from its walls and from
+// each other: pair by pair that takes too long.
+constexpr PartingQuery vessel{2300, 700, 1400, 7000, 7100};
+TEST(Parting, InALargeBasin) {
+  expect_all_part(box(0, 0, 47'500, 32'500), 250, vessel);
+}
+TEST(Parting, InADeadEndOfALargeBasin) {
+  const Region basin = box(0, 0, 47'500, 32'500).unite(box(47'400, 24'000, 58'000, 28'000));
+  const BakedZone zone = bake(*snap_inside(basin), 250);
+  const Parting found = parting_of(zone, vessel);
+  ASSERT_EQ(found.how, Parting::How::stuck);
+  for (const GridPoint p : {found.one, found.other}) {
+    EXPECT_GT(p.x_mm, 42'000);
+    EXPECT_GT(p.y_mm, 20'000);
+  }
+}
 TEST(Parting, OfTooManyPairsIsNotLookedAt) {
   PartingQuery far = cart;
   far.apart_mm = 9000, far.goal_mm = 9060;
