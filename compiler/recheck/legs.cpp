@@ -65,10 +65,27 @@ bool leads_off(const Segment& s, const Box& from, Place c) {
 
 }  // namespace
 
-Boundary::Boundary(const std::vector<Segment>& all, Place around, double within) : all_(all) {
+Boundary::Boundary(const std::vector<Segment>& all, Place around, double within)
+    : all_(all), around_(around), within_(within) {
   for (const Segment& s : all) {
     if (to_segment(s, around) <= within) near_.push_back(s);
   }
+}
+
+std::vector<std::array<std::int64_t, 4>> Boundary::outline() const {
+  constexpr double per_nm = 1e-9;
+  std::vector<std::array<std::int64_t, 4>> ends;
+  for (const Segment& s : near_) {
+    const bool along_axis = s.ax == s.bx || s.ay == s.by;
+    const auto off = [&](double at, double from) {
+      const double by = at - from;
+      return std::llround((along_axis ? std::clamp(by, -within_, within_) : by) / per_nm);
+    };
+    ends.push_back(
+        {off(s.ax, around_.x), off(s.ay, around_.y), off(s.bx, around_.x), off(s.by, around_.y)});
+  }
+  std::ranges::sort(ends);
+  return ends;
 }
 
 double Boundary::gap(Place p) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "compiler/recheck/grid.h"
@@ -46,12 +47,17 @@ class Boundary {
   }
   // And of all to between several ones.
   [[nodiscard]] bool keeps_to(const Box& from, const std::vector<Place>& ends, double asked) const;
+  // The ends of each segment off the place that it was taken around, in whole nm; of one along an
+  // axis the parts are left out that are farther off than segments were asked for.
+  [[nodiscard]] std::vector<std::array<std::int64_t, 4>> outline() const;
 
  private:
   [[nodiscard]] double gap(Place p) const;
   [[nodiscard]] bool inside(Place p) const;
 
   const std::vector<Segment>& all_;
+  Place around_;
+  double within_;
   std::vector<Segment> near_;
 };
 

@@ -7,82 +7,20 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/legs.h"
 #include "compiler/recheck/numbers.h"
+#include "compiler/recheck/open_sides.h"
+#include "compiler/recheck/receding.h"
+#include "compiler/recheck/squares.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
 namespace {
-
-constexpr double slack_square = 1e-6;  // m^2, of the doubles of the runtime
-
-double farthest(const Box& a, const Box& b) {
-  double most = 0;
-  for (const Place p : corners(a)) {
-    for (const Place q : corners(b)) most = std::max(most, length(p.x - q.x, p.y - q.y));
-  }
-  return most;
-}
-double nearest(const Box& a, const Box& b) {
-  return length(std::max({a.x - b.right, b.x - a.right, 0.0}),
-                std::max({a.y - b.top, b.y - a.top, 0.0}));
-}
-// On the way from p to c the distance from q does not fall, for all p and q: (c - p) (p - q) is
-// concave in p and linear in q, so that corners are the worst. Signs are exact in doubles, and so
-// is what is negative on neither axis.
-bool recedes(Place c, const Box& from, const Box& other) {
-  double least = 1e300, on_x = 1e300, on_y = 1e300;
-  for (const Place p : corners(from)) {
-    for (const Place q : corners(other)) {
-      on_x = std::min(on_x, (c.x - p.x) * (p.x - q.x));
-      on_y = std::min(on_y, (c.y - p.y) * (p.y - q.y));
-      least = std::min(least, inner(c - p, p - q));
-    }
-  }
-  return least >= slack_square || (on_x >= 0 && on_y >= 0);
-}
-// Which side of the other robot one is on, on either axis: -1 or 1.
-struct Side {
-  int x, y;
-};
-struct Off {
-  double least, most;  // of the difference of two coordinates
-};
-std::optional<Off> off_on(int sign, double low, double high, double other_low, double other_high) {
-  Off off{low - other_high, high - other_low};
-  if (sign > 0) off.least = std::max(off.least, 0.0);
-  if (sign < 0) off.most = std::min(off.most, 0.0);
-  return off.least <= off.most ? std::optional(off) : std::nullopt;
-}
-// As above where p is on that side of q, also if it is on none: then it is nowhere there.
-bool recedes(Place c, const Box& from, const Box& other, Side side) {
-  const auto off_x = off_on(side.x, from.x, from.right, other.x, other.right);
-  const auto off_y = off_on(side.y, from.y, from.top, other.y, other.top);
-  if (!off_x || !off_y) return true;
-  const auto least = [](double to, double low, double high, const Off& off) {
-    return std::min({(to - low) * off.least, (to - low) * off.most, (to - high) * off.least,
-                     (to - high) * off.most});
-  };
-  const double on_x = least(c.x, from.x, from.right, *off_x);
-  const double on_y = least(c.y, from.y, from.top, *off_y);
-  return on_x + on_y >= slack_square || (on_x >= 0 && on_y >= 0);
-}
-// It falls, for all of them: of one axis the product is the largest halfway between c and q.
-bool comes_nearer(Place c, const Box& from, const Box& other) {
-  const auto most = [](double to, double low, double high, double q) {
-    const double p = std::clamp((to + q) / 2, low, high);
-    return (to - p) * (p - q);
-  };
-  const double on_x =
-      std::max(most(c.x, from.x, from.right, other.x), most(c.x, from.x, from.right, other.right));
-  const double on_y =
-      std::max(most(c.y, from.y, from.top, other.y), most(c.y, from.y, from.top, other.top));
-  return on_x + on_y < -slack_square;
-}
 
 class Partings {
  public:
@@ -93,23 +31,33 @@ class Partings {
         columns_(static_cast<int>(grid.columns)),
         rows_(static_cast<int>(grid.rows)),
         window_(static_cast<int>(std::ceil(limits.goal / grid.cell)) + 3),
-        joins_(std::max(reach_m, 2 * grid.cell)),
+        joins_(std::max(reach_m, 2 * grid.cell) + slack_m),
         far_(std::min(1.5 * limits.route + 4 * grid.cell + 0.4, rings * grid.cell)),
+        far_cells_(static_cast<int>(far_ / grid.cell)),
         sites_(grid.clearance.size()) {}
 
   std::variant<Meeting, BadCells> run() {
-    const int around = static_cast<int>(limits_.apart / grid_.cell) + 2;
+    find_alike();
+    const std::vector<Offset> offsets = near_offsets();
     for (int one = 0; one < columns_ * rows_; ++one) {
-      if (holds_nobody(site(one), box(one))) continue;
-      for (int r = row(one); r <= std::min(rows_ - 1, row(one) + around); ++r) {
-        const int first = r == row(one) ? column(one) : std::max(0, column(one) - around);
-        for (int c = first; c <= std::min(columns_ - 1, column(one) + around); ++c) {
-          const int other = r * columns_ + c;
-          if (nearest(box(one), box(other)) >= limits_.apart) continue;
-          const bool parts = part(one, other, false) || part(one, other, true);
-          if (steps_ > steps_max) return BadCells{};
-          if (!parts) return Meeting({exact(one), exact(other)});
-        }
+      if (ways_.size() * ways_bits() > ways_bits_max) ways_.clear();
+      if (alike(one) < 0) continue;
+      for (std::size_t i = 0; i < offsets.size(); ++i) {
+        const auto& [columns, rows, one_leaves, other_leaves] = offsets[i];
+        const int c = column(one) + columns, r = row(one) + rows;
+        if (c < 0 || c >= columns_ || r >= rows_) continue;
+        const int other = r * columns_ + c;
+        ++steps_;
+        if (alike(other) < 0 || (open(one) & one_leaves).any() ||
+            (open(other) & other_leaves).any())
+          continue;
+        const std::uint64_t looks = look_of(one, other, i);
+        if (!limits_.each_alone && parted_.contains(looks)) continue;
+        const bool parts = part(one, other);
+        if (steps_ > steps_max) return BadCells{};
+        if (!parts) return Meeting({exact(one), exact(other)});
+        const bool may_come_again = many(one) > 1 && many(other) > 1;
+        if (may_come_again && parted_.size() < parted_max) parted_.insert(looks);
       }
     }
     return Meeting();
@@ -125,12 +73,28 @@ class Partings {
   // clearance on the way there; 7 are counted on.
   static constexpr double reach_m = 0.4, forgiven_m = 0.007;
 
+  // So many pairs that part are remembered.
+  static constexpr std::size_t parted_max = 2'000'000;
+  // Steps of a way; longer ones are not looked for.
+  static constexpr int way_max = 4000;
+  // Of ways so many bits, 200 MB; then they are found again.
+  static constexpr std::size_t ways_bits_max = 1'600'000'000;
+
   // Around a cell: the boundary, and the cells that may be joined to.
   struct Site {
     bool known = false;
     std::unique_ptr<Boundary> boundary;
-    std::vector<int> joined, far;
+    std::vector<int> joined, far;  // the nearest first
+    int alike = -1;  // those that look alike have the same number; -1: nobody is there
+    OpenSides::Set open;
   };
+  // Where one cell is off another one, and over which sides one of two robots there leaves.
+  struct Offset {
+    int columns, rows;
+    OpenSides::Set one_leaves, other_leaves;
+  };
+  // Two bits of each cell around one: whether it has been asked, and leads.
+  using Ways = std::vector<bool>;
 
   [[nodiscard]] int column(int cell) const { return cell % columns_; }
   [[nodiscard]] int row(int cell) const { return cell / columns_; }
@@ -155,18 +119,25 @@ class Partings {
     const Place m = middle(box(cell));
     const double limit = far_ + grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
     s.boundary = std::make_unique<Boundary>(all_, m, limit);
-    const int off = static_cast<int>(far_ / grid_.cell);
-    for (int r = row(cell) - off; r <= row(cell) + off; ++r) {
-      for (int c = column(cell) - off; c <= column(cell) + off; ++c) {
+    for (int r = row(cell) - far_cells_; r <= row(cell) + far_cells_; ++r) {
+      for (int c = column(cell) - far_cells_; c <= column(cell) + far_cells_; ++c) {
         if (!clear(c, r)) continue;
-        const Place to = middle(box(r * columns_ + c));
-        const double way = length(to.x - m.x, to.y - m.y);
-        if (way <= joins_ + slack_m) s.joined.push_back(r * columns_ + c);
-        if (way > joins_ + slack_m && way <= far_ && !clear(cell))
-          s.far.push_back(r * columns_ + c);
+        const int to = r * columns_ + c;
+        if (way(m, to) <= joins_) {
+          s.joined.push_back(to);
+        } else if (way(m, to) <= far_ && !clear(cell)) {
+          s.far.push_back(to);
+        }
       }
     }
+    const auto off = [&](int to) { return way(m, to); };
+    std::ranges::sort(s.joined, {}, off);
+    std::ranges::sort(s.far, {}, off);
     return s;
+  }
+  [[nodiscard]] double way(Place from, int to) const {
+    const Place p = middle(box(to));
+    return length(p.x - from.x, p.y - from.y);
   }
   [[nodiscard]] bool holds_nobody(const Site& s, const Box& b) const {
     return s.boundary->holds_nobody(b, limits_.body);
@@ -175,51 +146,131 @@ class Partings {
     return s.boundary->keeps(from, c, s.boundary->asked_from(from, limits_.route, forgiven_m));
   }
 
-  // Of the cells around one, those from whose middles steps lead to a goal, each of them receding
-  // from all of the square. Such ways lead away from its middle, too: the cells by how far they are
-  // from there, the farthest first.
-  const std::vector<bool>& ways(int there, const Box& other) {
-    const int width = 2 * window_ + 1, west = column(there) - window_, south = row(there) - window_;
-    std::vector<bool>& leads = ways_[{other.x, other.y, other.right}];
-    if (!leads.empty()) return leads;
-    leads.assign(static_cast<std::size_t>(width * width), false);
-    std::vector<std::pair<double, int>> order;
-    const Place q = middle(other);
-    for (int i = 0; i < width * width; ++i) {
-      const int c = west + i % width, r = south + i / width;
-      if (!clear(c, r)) continue;
-      const Place p = middle(box(r * columns_ + c));
-      order.emplace_back(-length(p.x - q.x, p.y - q.y), i);
-    }
-    std::sort(order.begin(), order.end());
-    steps_ += 8 * width * width;
-    for (const auto& [minus_distance, i] : order) {
-      const int c = west + i % width, r = south + i / width;
-      const Place p = middle(box(r * columns_ + c));
-      const Box here{p.x, p.y, p.x, p.y};
-      bool lead = nearest(here, other) >= limits_.goal;
-      for (int dr = -1; dr <= 1 && !lead; ++dr) {
-        for (int dc = -1; dc <= 1 && !lead; ++dc) {
-          const int x = i % width + dc, y = i / width + dr;
-          if (x < 0 || y < 0 || x >= width || y >= width) continue;
-          if (!leads[static_cast<std::size_t>(y * width + x)]) continue;
-          const bool open = clear(c + dc, r) && clear(c, r + dr);
-          lead = open && recedes(middle(box((r + dr) * columns_ + c + dc)), here, other);
-        }
-      }
-      leads[static_cast<std::size_t>(i)] = lead;
-    }
-    return leads;
+  [[nodiscard]] int alike(int cell) const { return sites_[static_cast<std::size_t>(cell)].alike; }
+  [[nodiscard]] int many(int cell) const { return many_[static_cast<std::size_t>(alike(cell))]; }
+  [[nodiscard]] OpenSides::Set open(int cell) const {
+    return sites_[static_cast<std::size_t>(cell)].open;
   }
-  bool leads(int cell, int there, const Box& other) {
+  // Of at most 2^17 cells and twice as many offsets.
+  [[nodiscard]] std::uint64_t look_of(int one, int other, std::size_t offset) const {
+    return (static_cast<std::uint64_t>(alike(one)) << 17U | static_cast<unsigned>(alike(other)))
+               << 18U |
+           offset;
+  }
+  // Two cells look alike where the same is clear around them, as far as any way is followed or any
+  // cell is joined to, and the outline runs alike, as far as it is looked at. Nothing else is asked
+  // of a pair of them but how the one lies to the other: what holds of real numbers at the one
+  // place holds at the other, too, and slacks are for the doubles of either.
+  void find_alike() {
+    const OpenSides sides(grid_.cell, limits_.goal, joins_);
+    std::vector<bool> all_clear;
+    for (int cell = 0; cell < columns_ * rows_; ++cell) all_clear.push_back(clear(cell));
+    squares_ = number_squares(all_clear, columns_, rows_, std::max(window_, far_cells_ + 1));
+    steps_ += 100 * static_cast<std::int64_t>(squares_.size());
+    std::map<std::pair<int, std::vector<std::array<std::int64_t, 4>>>, int> known;
+    for (int cell = 0; cell < columns_ * rows_; ++cell) {
+      Site& s = site(cell);
+      steps_ += static_cast<std::int64_t>(all_.size());
+      if (holds_nobody(s, box(cell))) continue;
+      const int square = squares_[static_cast<std::size_t>(cell)];
+      s.alike = known.try_emplace({square, s.boundary->outline()}, static_cast<int>(known.size()))
+                    .first->second;
+      many_.resize(known.size());
+      ++many_[static_cast<std::size_t>(s.alike)];
+    }
+    open_up(sides);
+  }
+  // Which blocks beside cells are clear, by sums of what is not.
+  void open_up(const OpenSides& sides) {
+    const std::size_t width = static_cast<std::size_t>(columns_) + 1;
+    std::vector<int> sums(width * (static_cast<std::size_t>(rows_) + 1), 0);
+    const auto sum = [&](int c, int r) -> int& {
+      return sums[static_cast<std::size_t>(r) * width + static_cast<std::size_t>(c)];
+    };
+    for (int r = 0; r < rows_; ++r) {
+      for (int c = 0; c < columns_; ++c) {
+        sum(c + 1, r + 1) = sum(c + 1, r) + sum(c, r + 1) - sum(c, r) + (clear(c, r) ? 0 : 1);
+      }
+    }
+    for (int cell = 0; cell < columns_ * rows_; ++cell) {
+      for (std::size_t i = 0; i < OpenSides::count; ++i) {
+        const Block& b = sides.blocks()[i];
+        const int west = column(cell) + b.west, east = column(cell) + b.east + 1;
+        const int south = row(cell) + b.south, north = row(cell) + b.north + 1;
+        if (west < 0 || south < 0 || east > columns_ || north > rows_) continue;
+        sites_[static_cast<std::size_t>(cell)].open[i] =
+            sum(east, north) - sum(west, north) - sum(east, south) + sum(west, south) == 0;
+      }
+    }
+  }
+  // To the same cell and the later ones, as far as robots have to part; not where they would touch.
+  [[nodiscard]] std::vector<Offset> near_offsets() {
+    constexpr std::int64_t steps_of_each = 1000;
+    const OpenSides sides(grid_.cell, limits_.goal, joins_);
+    const int around = static_cast<int>(limits_.apart / grid_.cell) + 2;
+    const auto at = [&](int c, int r) {
+      return Box{c * grid_.cell, r * grid_.cell, (c + 1) * grid_.cell, (r + 1) * grid_.cell};
+    };
+    std::vector<Offset> all;
+    for (int r = 0; r <= std::min(around, rows_ - 1); ++r) {
+      const int far = std::min(around, columns_ - 1);
+      for (int c = r == 0 ? 0 : -far; c <= far; ++c) {
+        const Box one = at(0, 0), other = at(c, r);
+        if (nearest(one, other) >= limits_.apart + slack_m) continue;
+        if (farthest(one, other) < limits_.nearest - slack_m) continue;
+        steps_ += steps_of_each;
+        all.push_back({c, r, sides.against(c, r), sides.against(-c, -r)});
+        if (limits_.each_alone) all.back().one_leaves = all.back().other_leaves = 0;
+      }
+    }
+    return all;
+  }
+
+  // From which of the cells around one steps lead to a goal, each of them receding from all of the
+  // square: as far as that has been asked, of all cells that look alike.
+  [[nodiscard]] std::size_t ways_bits() const {
+    const std::size_t width = 2 * static_cast<std::size_t>(window_) + 1;
+    return 2 * width * width;
+  }
+  Ways& ways(int there, const Box& other) {
+    constexpr double per_nm = 1e-9;
+    const Box cell = box(there);
+    const auto nm = [&](double length) { return std::llround(length / per_nm); };
+    Ways& known = ways_[{squares_[static_cast<std::size_t>(there)], nm(other.x - cell.x),
+                         nm(other.y - cell.y), nm(other.right - other.x)}];
+    if (known.empty()) known.assign(ways_bits(), false);
+    steps_ += 10;
+    return known;
+  }
+  bool leads(int cell, int there, const Box& other, Ways& ways, int depth = 0) {
     const int c = column(cell) - column(there) + window_, r = row(cell) - row(there) + window_;
     const int width = 2 * window_ + 1;
     if (c < 0 || r < 0 || c >= width || r >= width) return clear(cell);
-    return ways(there, other)[static_cast<std::size_t>(r * width + c)];
+    const std::size_t asked = 2 * static_cast<std::size_t>(r * width + c);
+    if (ways[asked]) return ways[asked + 1];
+    steps_ += 8;
+    const Place p = middle(box(cell));
+    const Box here{p.x, p.y, p.x, p.y};
+    bool lead = clear(cell) && nearest(here, other) >= limits_.goal;
+    for (int dr = -1; dr <= 1 && !lead && clear(cell) && depth < way_max; ++dr) {
+      for (int dc = -1; dc <= 1 && !lead; ++dc) {
+        const int x = column(cell) + dc, y = row(cell) + dr;
+        if ((dc == 0 && dr == 0) || !clear(x, y)) continue;
+        if (!clear(x, row(cell)) || !clear(column(cell), y)) continue;
+        const int to = y * columns_ + x;
+        lead = recedes(middle(box(to)), here, other) && leads(to, there, other, ways, depth + 1);
+      }
+    }
+    ways[asked] = true;
+    ways[asked + 1] = lead;
+    return lead;
   }
 
-  bool part(int one, int other, bool by_far_cells) {
-    by_far_cells_ = by_far_cells;
+  bool part(int one, int other) {
+    by_far_cells_ = false;
+    const bool near_may_do = !site(one).joined.empty() || !site(other).joined.empty();
+    if (near_may_do && part(one, box(one), other, box(other), quarters_of_both_max)) return true;
+    by_far_cells_ = true;
     return part(one, box(one), other, box(other), quarters_of_both_max);
   }
   bool part(int one, const Box& here, int other, const Box& there, int times) {
@@ -258,28 +309,39 @@ class Partings {
   bool joins_well(int one, const Box& here, int other, const Box& there,
                   std::optional<Side> side = {}) {
     const Site& s = site(one);
+    Ways& known = ways(other, there);
     const auto harmless = [&](int cell) {
-      return leads(cell, other, there) || comes_nearer(middle(box(cell)), here, there);
+      return leads(cell, other, there, known) || comes_nearer(middle(box(cell)), here, there);
     };
     if (clear(one) && !harmless(one)) return false;
-    const auto joins = [&](int cell) {
+    const auto goes = [&](int cell) {
       ++steps_;
       const Place c = middle(box(cell));
       const bool away = side ? recedes(c, here, there, *side) : recedes(c, here, there);
-      return away && leads(cell, other, there) && keeps(s, here, c);
+      return away && leads(cell, other, there, known);
     };
+    const auto joins = [&](int cell) { return goes(cell) && keeps(s, here, middle(box(cell))); };
     if (std::ranges::any_of(s.joined, joins)) return true;
     if (!by_far_cells_) return false;
+    const Place m = middle(box(one));
     return std::ranges::any_of(s.far, [&](int cell) {
-      if (!joins(cell)) return false;
+      if (!goes(cell)) return false;
       const Place c = middle(box(cell));
-      const double way = farthest({c.x, c.y, c.x, c.y}, here);
-      const auto farther = [&](int to) {
+      const double most = farthest({c.x, c.y, c.x, c.y}, here);
+      if (most + grid_.cell > far_) return false;
+      const auto leads_back = [&](int to) {
+        ++steps_;
         const Place t = middle(box(to));
-        return nearest({t.x, t.y, t.x, t.y}, here) > way || harmless(to);
+        return nearest({t.x, t.y, t.x, t.y}, here) <= most && !harmless(to);
       };
-      return way + grid_.cell <= far_ && std::ranges::all_of(s.joined, farther) &&
-             std::ranges::all_of(s.far, farther);
+      // the nearest ones first: from some on they are all farther off
+      for (const std::vector<int>* const cells : {&s.joined, &s.far}) {
+        for (const int to : *cells) {
+          if (way(m, to) > most + grid_.cell) break;
+          if (leads_back(to)) return false;
+        }
+      }
+      return keeps(s, here, c);
     });
   }
 
@@ -288,8 +350,11 @@ class Partings {
   const PartingLimits limits_;
   const int columns_, rows_, window_;
   const double joins_, far_;
+  const int far_cells_;
   std::vector<Site> sites_;
-  std::map<std::array<double, 3>, std::vector<bool>> ways_;
+  std::vector<int> squares_, many_;  // by cells, and how many look alike
+  std::map<std::array<std::int64_t, 4>, Ways> ways_;
+  std::unordered_set<std::uint64_t> parted_;  // pairs, by their looks
   bool by_far_cells_ = false;
   std::int64_t steps_ = 0;
 };

@@ -11,11 +11,12 @@ namespace rtac::recheck {
 
 // Of distances between middles, as they are measured.
 struct PartingLimits {
-  double route;    // clearance of cells that ways lead over
-  double body;     // clearance with less of which a robot is nowhere
-  double nearest;  // no two robots are nearer to each other
-  double apart;    // at which they need not part
-  double goal;     // at which a way may end
+  double route;             // clearance of cells that ways lead over
+  double body;              // clearance with less of which a robot is nowhere
+  double nearest;           // no two robots are nearer to each other
+  double apart;             // at which they need not part
+  double goal;              // at which a way may end
+  bool each_alone = false;  // pairs that look alike are each looked at, for tests
 };
 // Two places from which neither may find a way; none: there are none. `BadCells`: the cells are not
 // those of the zone, or there are too many pairs of them.
