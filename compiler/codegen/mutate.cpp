@@ -75,6 +75,13 @@ void unchecked(Recovery& r) {
   r.claims = false;
 }
 
+bool has_ages(const Decision& d) {
+  return d.body.position_age_us > 0 || d.body.velocity_age_us > 0;
+}
+bool has_several(const Decision& d) {
+  return d.monitors.size() > 1;
+}
+
 const TextEdit no_age{"t_us = s->age_us + horizon_us;", "t_us = horizon_us;"};
 
 }  // namespace
@@ -92,14 +99,16 @@ const std::vector<Mutant>& mutants() {
        nullptr,
        {{"t_us = s->age_us + horizon_us;", "t_us = 0 * horizon_us;"}}},
       {"no-latency", "commands act at once", no_latency, {}},
-      {"no-sample-age", "measurements are of now", no_sample_age, {no_age}},
+      {"no-sample-age", "measurements are of now", no_sample_age, {no_age}, nullptr, has_ages},
       {"no-position-error", "places are measured exactly", no_position_error, {}},
       {"no-velocity-error", "velocities are measured exactly", no_velocity_error, {}},
       {"no-noise", "everything is measured exactly", no_noise, {}},
       {"equal-stamps",
        "position and velocity are of one moment",
        nullptr,
-       {{"div_up(b->accel_mmps2 * apart_ms, 1000)", "0 * apart_ms"}}},
+       {{"div_up(b->accel_mmps2 * apart_ms, 1000)", "0 * apart_ms"}},
+       nullptr,
+       has_ages},
       {"no-stopping-distance",
        "a robot stops at once",
        nullptr,
@@ -119,7 +128,9 @@ const std::vector<Mutant>& mutants() {
        "the least important of the engaged monitors drives",
        nullptr,
        {{"    if (monitors[k].engaged != 0) {\n      return k;",
-         "    if (monitors[count - 1 - k].engaged != 0) {\n      return count - 1 - k;"}}},
+         "    if (monitors[count - 1 - k].engaged != 0) {\n      return count - 1 - k;"}},
+       nullptr,
+       has_several},
       {"shortest-prefix-drives",
        "of several recoveries the one that keeps least of the order may drive",
        nullptr,
@@ -177,6 +188,12 @@ std::string mutant_names() {
     names += (names.empty() ? "`" : ", `") + std::string(m.name) + "`";
   }
   return names;
+}
+
+bool may_matter(const Mutant& mutant, const Module& module) {
+  return mutant.matters == nullptr || std::ranges::any_of(module.decisions, [&](const Decision& d) {
+           return !d.on_plan && mutant.matters(d);
+         });
 }
 
 void mutate(const Mutant& mutant, Recovery& recovery) {

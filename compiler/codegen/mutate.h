@@ -19,12 +19,17 @@ struct Mutant {
   void (*edit)(ir::Decision&);  // may be null
   std::vector<TextEdit> text;
   void (*of_recovery)(ir::Recovery&) = nullptr;
+  // Without it nothing of the decision changes, whatever is edited; null: edits tell.
+  bool (*matters)(const ir::Decision&) = nullptr;
 };
 
 const std::vector<Mutant>& mutants();
 // nullptr: none has this name.
 const Mutant* find_mutant(const std::string& name);
 std::string mutant_names();
+
+// Whether it may change any decision.
+bool may_matter(const Mutant& mutant, const ir::Module& module);
 
 // Of all decisions.
 void mutate(const Mutant& mutant, ir::Module& module);

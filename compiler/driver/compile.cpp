@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/derive.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/codegen/mutate.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
 #include "compiler/ir/printer.h"
@@ -90,7 +91,8 @@ int refuse_mutant(const Options& options, Compilation& c) {
        "the mutant `" + options.mutant + "` changes nothing of `" + c.spec->name + "`",
        "",
        {},
-       "it changes a decision whose monitors look ahead at what it is about",
+       std::string("it believes that ") + codegen::find_mutant(options.mutant)->about +
+           ", which makes no difference to any decision here",
        {}});
   return exit_usage;
 }

@@ -172,6 +172,79 @@ TEST(Repairs, TheDriveOf5012WorksAndFivePercentMoreDoesNot) {
   EXPECT_TRUE(has(*compiled(edited(thirsty, "15 %/m", more + " %/m")), Code::site_unreachable));
 }
 
+// Where no charge is ever seen to be enough, it has to be measured better, and by how much is told.
+TEST(Repairs, ABatteryThatShowsTooLittleIsMeasuredBetter) {
+  const auto seen = [](const std::string& with) {
+    return R"(spec weak;
+zone z = rectangle (0 m, 0 m) to (20 m, 20 m);
+site dock = (10 m, 10 m);
+robot R {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  sense battery : ratio )" +
+           with + R"(;
+  output o : acceleration;
+  latency 20 ms;
+  energy {
+    drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at dock;
+    held <= 0 s; detour <= 0 m;
+  }
+}
+fleet x : R;
+controller a : advanced for R extern;
+controller c : safe for R = route to dock within z speed 0.4 m/s;
+monitor m for r : R {
+  "R1" always r.battery >= energy_to(dock) + 5 %; recover c; return when r.battery >= 60 %;
+}
+decision d for R { advanced a; period 50 ms; priority m; }
+)";
+  };
+  const auto by_error = compiled(seen("error 60 % max_age 2 s"));
+  const std::string error =
+      number_in_help(*by_error, Code::return_set_empty, "of the battery of at most ", "%");
+  EXPECT_TRUE(compiled(seen("error " + error + " % max_age 2 s"))->module) << reports(*by_error);
+  EXPECT_FALSE(compiled(seen("error 20 % max_age 2 s"))->module) << error;
+  const auto by_age = compiled(seen("error 1 % max_age 1 h"));
+  const std::string age =
+      number_in_help(*by_age, Code::return_set_empty, "of the battery of at most ", "ms");
+  EXPECT_TRUE(compiled(seen("error 1 % max_age " + age + " ms"))->module) << reports(*by_age);
+  EXPECT_FALSE(compiled(seen("error 1 % max_age 191 s"))->module) << age;
+}
+
+// Wheels that turn slowly need room, which their own limits may be the cause of.
+TEST(Repairs, WheelsThatTurnTooSlowlyAreTold) {
+  const auto wheels = [](const std::string& turn, const std::string& accel) {
+    return R"(spec slow;
+zone z = rectangle (0 m, 0 m) to (20 m, 20 m);
+robot R {
+  body radius 20 cm;
+  motion unicycle { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn <= )" +
+           turn + " rad/s; turn_accel <= " + accel + R"( rad/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense heading : angle error 2 deg max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output o : twist;
+  latency 20 ms;
+}
+fleet x : R;
+controller a : advanced for R extern;
+controller c : safe for R = retreat within z speed 0.4 m/s;
+monitor m for r : R { "R1" always r inside z; recover c; }
+decision d for R { advanced a; period 50 ms; priority m; }
+)";
+  };
+  const auto at_least = [](const std::string& text, const std::string& what) {
+    return number_in_help(*compiled(text), Code::return_set_empty, what + "` of at least ", "rad");
+  };
+  const std::string accel = at_least(wheels("2", "0.001"), "turn_accel");
+  EXPECT_TRUE(compiled(wheels("2", accel))->module) << accel;
+  EXPECT_FALSE(compiled(wheels("2", std::to_string(0.95 * std::stod(accel) - 0.001)))->module);
+  const std::string turn = at_least(wheels("0.001", "10"), "`turn");
+  EXPECT_TRUE(compiled(wheels(turn, "10"))->module) << turn;
+}
+
 // Neither is a full battery enough nor the way affordable: one number mends both, and is told
 // twice.
 TEST(Repairs, OneDriveMends5007And5012) {

@@ -134,6 +134,14 @@ decision d for R {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// One monitor has no order to be turned round.
+TEST_F(Findings, AMutantThatMakesNoDifferenceIsNone) {
+  write("spec.rta", drone_spec());
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "1", "--mutate", "lowest-priority-drives"});
+  EXPECT_EQ(o.status, exit_usage) << o.out;
+  EXPECT_NE(o.err.find("makes no difference to any decision here"), std::string::npos) << o.err;
+}
+
 // Decided in every period, which its look-ahead covers.
 TEST_F(Findings, ASoundLookAheadLeavesNothingUndecided) {
   const Outcome o =

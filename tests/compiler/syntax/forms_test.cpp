@@ -62,6 +62,14 @@ TEST(Forms, AreThoseOfTheMistake) {
             "the form is `zone free = shrink(room, 30 cm) - pillar;`");
   EXPECT_EQ(help_of("controller c : safe for Cart = route ;"),
             "the form is `route to dock within free speed 0.1 m/s`");
+  EXPECT_EQ(
+      help_of("controller c : safe for Cart = extern keeps inside z speed <= 1 m/s;"),
+      "the form is `controller bought : safe for Cart extern keeps inside room speed <= 1 m/s;`");
+  EXPECT_EQ(help_of("controller c : safe for Cart = sequence retreat within z speed 0.4 m/s;"),
+            "the form is `controller calm : safe for Cart = sequence brake_and_hold for 2 s then "
+            "retreat within room speed 0.4 m/s;`");
+  EXPECT_EQ(help_of("controller c : advanced for Cart;"),
+            "the form is `controller pilot : advanced for Cart extern;`");
   EXPECT_EQ(help_of("robot Cart {\n  latency ;\n}"), "the form is `latency 40 ms;`");
   EXPECT_EQ(help_of("robot Cart {\n  motion point { speed 1 m/s; }\n}"),
             "the form is `speed <= 1 m/s;`");
