@@ -385,7 +385,8 @@ class Pair {
     if (!kind_.energy) return true;
     const ir::Recovery& last = ir::last_step(recovery_);
     const auto seconds = return_seconds(kind_, module_, decision_, recovery_);
-    if (!seconds) {
+    const auto driven = driven_mm(kind_, module_, decision_, recovery_);
+    if (!seconds || !driven) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
       entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
@@ -414,8 +415,7 @@ class Pair {
       return false;
     }
     if (!begins_in_its_zone(last)) return false;
-    const Ways ways = ways_of(module_, decision_, last);
-    return lies_within(*seconds, Rational(ways.longest_mm ? *ways.longest_mm : 0, 1000));
+    return lies_within(*seconds, metres_of(*driven));
   }
   // A charge suffices nowhere but in the zone of its ways, or within reach of it.
   [[nodiscard]] bool charge_keeps_in(ir::ZoneIndex zone) const {

@@ -479,6 +479,20 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Mo
   return seconds + Rational(static_cast<long>(dwell_us + after_us), 1'000'000);
 }
 
+std::optional<std::int64_t> driven_mm(const sema::RobotKind& kind, const ir::Module& module,
+                                      const ir::Decision& decision, const ir::Recovery& recovery) {
+  const ir::Recovery& last = ir::last_step(recovery);
+  if (!ir::moves(last.kind)) return 0;
+  const Ways ways = ways_of(module, decision, last);
+  if (!ways.longest_mm) return std::nullopt;
+  const auto leg_mm = straight_mm(module, decision, last);
+  const std::int64_t way_mm =
+      leg_mm ? *leg_mm : *ways.longest_mm + joins_within_mm(module[last.zone].cells);
+  if (last.kind == ir::RecoveryKind::route) return way_mm;
+  const Rational speed(static_cast<long>(last.speed_mmps), 1000);
+  return way_mm + run_out_mm(kind, speed, decision.period_us);
+}
+
 std::int64_t patience_s(const sema::RobotKind& kind, const ir::Module& module,
                         const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);

@@ -64,6 +64,11 @@ std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Deci
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
                                        const ir::Decision& decision, const ir::Recovery& recovery);
 
+// How far it drives meanwhile, at most, from where it has braked, in mm: to where its way begins,
+// along that, and past where control is given back. 0: it stands. none: there is no bound.
+std::optional<std::int64_t> driven_mm(const sema::RobotKind& kind, const ir::Module& module,
+                                      const ir::Decision& decision, const ir::Recovery& recovery);
+
 // How long a run waits for control to return before it takes it that it does not, in s: twice as
 // long as the longest shortest way in such a zone, along half of all of its edges and across. It
 // proves nothing. 0: it does not move in the plane.

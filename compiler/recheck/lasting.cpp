@@ -198,8 +198,6 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (!kind.energy) return wrong("no charge is declared");
   const Rational held = micro(*held_us);
   if (held > kind.energy->held.value) return wrong("it lasts longer than `held`");
-  if (said->way > kind.energy->detour.value) return wrong("it drives further than `detour`");
-
   const std::vector<sema::Template> steps = sema::templates_of(spec[*monitor.recover]);
   const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
   if (!moves || moves->zone != said->zone || std::holds_alternative<sema::Yield>(steps.back())) {
@@ -228,6 +226,12 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   const auto leg = number(v, "leg_mm");
   if (leg && !takes_legs(*zone, *said, kind, steps.back(), milli(*leg))) {
     return wrong("it may take a way over cells, or a longer leg");
+  }
+  const auto driven = driven_metres(kind, decision, recovery,
+                                    leg ? std::nullopt : std::optional(milli(said->cells.cell_mm)),
+                                    leg ? milli(*leg) : said->way);
+  if (!driven || *driven > kind.energy->detour.value) {
+    return wrong("it drives further than `detour`");
   }
   const auto seconds =
       leg ? leg_seconds(kind, decision, recovery, milli(*leg))

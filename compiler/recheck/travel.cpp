@@ -70,10 +70,11 @@ class Travel {
            hold_settles();
   }
   // It passes the place where control comes back at full speed, and stops behind it.
-  [[nodiscard]] Rational run_out_seconds() const {
+  [[nodiscard]] Rational run_out() const {
     const Rational late = acts_ + oldest(kind_.velocity);
-    return (speed_ * late + speed_ * speed_ / (2 * planned())) / slowest();
+    return speed_ * late + speed_ * speed_ / (2 * planned());
   }
+  [[nodiscard]] Rational run_out_seconds() const { return run_out() / slowest(); }
   // Where its correction makes up for the errors of its place and velocity, of which a part r of
   // its speed takes 1 / sqrt(1 - r^2) of itself, 1 + 0.62 r^2 at most; and what pushes it, half as
   // far again until then.
@@ -264,6 +265,11 @@ std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Deci
 
 namespace {
 
+// From where it stands to the centre of a cell, and over those.
+Rational joined_way(const Rational& way, const Rational& cell) {
+  return way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
+}
+
 // What comes before and after it has driven.
 Rational around_seconds(const Travel& travel, const sema::Decision& decision,
                         const sema::Controller& recovery, const sema::Template& last) {
@@ -295,12 +301,22 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
   const std::vector<sema::Template> steps = sema::templates_of(recovery);
   const auto travel = travel_of(kind, decision, steps);
   if (!travel) return std::nullopt;
-  // from where it stands to the centre of a cell
-  const Rational joined = way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
+  const Rational joined = joined_way(way, cell);
   const auto driven = kind.in_space ? travel->carried_seconds(joined, cell)
                                     : std::optional(travel->seconds(joined, cell));
   if (!driven) return std::nullopt;
   return *driven + around_seconds(*travel, decision, recovery, steps.back());
+}
+
+std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,
+                                      const sema::Controller& recovery,
+                                      const std::optional<Rational>& cell, const Rational& way) {
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  const auto travel = travel_of(kind, decision, steps);
+  if (!travel) return std::nullopt;
+  const Rational driven = cell ? joined_way(way, *cell) : way;
+  const bool stops_there = std::holds_alternative<sema::Route>(steps.back());
+  return stops_there ? driven : Rational(driven + travel->run_out());
 }
 
 }  // namespace rtac::recheck

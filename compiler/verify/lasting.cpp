@@ -16,7 +16,8 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   const std::int64_t way_mm = ways.longest_mm.value_or(0);
   // of an `or` that is kept on one side, it may be more than is reckoned with
   if (*seconds > s.kind.energy->held.value) return std::nullopt;
-  if (Rational(way_mm, 1000) > s.kind.energy->detour.value) return std::nullopt;
+  const auto driven_mm = analysis::driven_mm(s.kind, s.module, s.decision, m.recovery);
+  if (!driven_mm || *driven_mm > 1000 * s.kind.energy->detour.value) return std::nullopt;
   const ir::Body& body = s.decision.body;
   const ir::ZoneTable& zone = s.module[last.zone];
   const auto text = [](std::int64_t n) { return std::to_string(n); };

@@ -1,6 +1,7 @@
 // `rtac verify` of a specification in a folder of its own.
 #pragma once
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -13,6 +14,11 @@ using Json = nlohmann::json;
 
 class Verify : public InFolder {
  protected:
+  // Nothing is shown by runs, whichever tests came before, unless a test says where `rtac-sim` is.
+  void SetUp() override {
+    InFolder::SetUp();
+    ::unsetenv("RTAC_SIM");
+  }
   static Outcome verified(const std::string& text, std::vector<std::string> more = {}) {
     write("spec.rta", text);
     std::vector<std::string> words = {"verify", "spec.rta"};
