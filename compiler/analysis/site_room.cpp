@@ -53,6 +53,12 @@ class Blocked {
 
 }  // namespace
 
+bool goes_to_charge(const sema::RobotKind& kind, const sema::Spec& spec, const ir::Module& module,
+                    const ir::Recovery& way) {
+  return way.kind == ir::RecoveryKind::route && kind.energy &&
+         module[way.site].name == spec[kind.energy->charge_at].name;
+}
+
 std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site,
                                     std::int64_t radius_mm) {
   const ir::Cells& cells = module[module[site].zone].cells;

@@ -14,6 +14,7 @@
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_set.h"
+#include "compiler/analysis/site_room.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/vacuous.h"
@@ -233,6 +234,7 @@ class WellFormed {
     if (way.kind != ir::RecoveryKind::route) return;
     const ir::SiteTable& site = module_[way.site];
     const ir::ZoneTable& zone = module_[site.zone];
+    beside_dock(of, monitor, way);
     for (std::size_t p = 0; p < site.places.size(); ++p) {
       const ir::SiteTable::Place& place = site.places[p];
       const SourceRange range = source_of(kind, way.site, p);
@@ -260,6 +262,29 @@ class WellFormed {
         affordable(kind, of.decision, monitor, place, range, what);
       }
     }
+  }
+
+  // Who goes to be charged has to rest near enough for that.
+  void beside_dock(const Decided& of, const ir::Monitor& monitor, const ir::Recovery& way) {
+    const sema::KindId kind = of.written.kind;
+    const std::int64_t off_mm = rests_off_mm(of.decision.body);
+    bool charges = false;
+    ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      charges = charges || ir::charge_for_way(block, c, of.decision.facts.params);
+    });
+    if (!charges || !goes_to_charge(spec_[kind], spec_, module_, way) || off_mm <= dock_reach_mm) {
+      return;
+    }
+    const SourceRange range = source_of(kind, way.site, 0);
+    const auto others =
+        repairs(of.written, of.trials, fault_of(Code::site_not_returnable, range),
+                [](const Trial& t) { return rests_off_mm(t.decision.body) <= dock_reach_mm; });
+    report(monitor, Code::site_not_returnable, range,
+           "control cannot be handed back at `" + module_[way.site].name + "`: `" + way.name +
+               "` may come to rest " + metres(off_mm) + " from it, and is charged within " +
+               metres(dock_reach_mm),
+           others.empty() ? "its position and its velocity have to be measured better"
+                          : joined(others) + " works");
   }
 
   // A recovery knows the clearance of whole cells: where these are wide, a place has more than its

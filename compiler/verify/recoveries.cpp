@@ -9,6 +9,7 @@
 #include "compiler/analysis/outline.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/site_room.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/tables.h"
@@ -59,16 +60,13 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
 
 // Who goes to a site to be charged has to rest so near to it (language rule 6.7); "": it does.
 std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
-  constexpr std::int64_t dock_reach_mm = 150;
-  if (last.kind != ir::RecoveryKind::route || !s.kind.energy) return "";
-  if (s.module[last.site].name != s.spec[s.kind.energy->charge_at].name) return "";
-  const ir::Body& body = s.decision.body;
-  const std::int64_t off_mm = body.end_reach_mm + body.sway_mm;
-  if (off_mm <= dock_reach_mm) return "";
+  if (!analysis::goes_to_charge(s.kind, s.spec, s.module, last)) return "";
+  const std::int64_t off_mm = analysis::rests_off_mm(s.decision.body);
+  if (off_mm <= analysis::dock_reach_mm) return "";
   return quoted(last.name) + " may come to rest " + metres(off_mm) + " from " +
          quoted(s.module[last.site].name) +
          ", where lasting errors and pushes let it come no nearer, and it is charged within " +
-         metres(dock_reach_mm);
+         metres(analysis::dock_reach_mm);
 }
 
 // What it needs around its site: in space its hold is carried there, errors and pushes that last
@@ -468,8 +466,8 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
   const Atoms atoms = atoms_of(m.property);
-  const bool rests = last == ir::RecoveryKind::brake ||
-                     (last == ir::RecoveryKind::land && atoms.only_speed());
+  const bool rests =
+      last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && atoms.only_speed());
   if (atoms.only_facts() || rests) {
     o.status = Status::proved;
     o.method = "closed form";

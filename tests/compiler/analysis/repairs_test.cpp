@@ -213,6 +213,44 @@ decision d for R { advanced a; period 50 ms; priority m; }
   EXPECT_FALSE(compiled(seen("error 1 % max_age 191 s"))->module) << age;
 }
 
+// Errors and late samples let a robot rest beside its dock: it is told which of them is too much.
+TEST(Repairs, WhoRestsBesideItsDockIsMeasuredBetter) {
+  const auto late = [](const std::string& age) {
+    return R"(spec beside;
+zone z = rectangle (0 m, 0 m) to (20 m, 20 m);
+site dock = (10 m, 10 m);
+robot R {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age )" +
+           age + R"( ms;
+  sense velocity : vector error 2 cm/s max_age 20 ms;
+  sense battery : ratio error 0.1 % max_age 100 ms;
+  output o : acceleration;
+  latency 300 ms;
+  energy {
+    drive <= 0.05 %/m; idle <= 0.03 %/s; drain <= 0.06 %/s; charge >= 2 %/s at dock;
+    held <= 0 s; detour <= 0 m;
+  }
+}
+fleet x : R;
+controller a : advanced for R extern;
+controller c : safe for R = route to dock within z speed 0.8 m/s;
+monitor m for r : R {
+  "R1" always r.battery >= energy_to(dock); ahead 300 ms; recover c; return when r.battery >= 60 %;
+}
+decision d for R { advanced a; period 50 ms; priority m; }
+)";
+  };
+  const auto c = compiled(late("2000"));
+  ASSERT_TRUE(has(*c, Code::site_not_returnable)) << reports(*c);
+  EXPECT_NE(reports(*c).find("from it, and is charged within 0.15 m"), std::string::npos);
+  const std::string most =
+      number_in_help(*c, Code::site_not_returnable, "of the position of at most ", "ms");
+  EXPECT_TRUE(compiled(late(most))->module) << most << reports(*c);
+  EXPECT_FALSE(compiled(late(std::to_string(std::stoi(most) + 1)))->module) << most;
+}
+
 // Wheels that turn slowly need room, which their own limits may be the cause of.
 TEST(Repairs, WheelsThatTurnTooSlowlyAreTold) {
   const auto wheels = [](const std::string& turn, const std::string& accel) {
