@@ -384,9 +384,8 @@ class Pair {
   bool keeps_charge() {
     if (!kind_.energy) return true;
     const ir::Recovery& last = ir::last_step(recovery_);
-    const auto seconds = return_seconds(kind_, module_, decision_, recovery_);
-    const auto driven = driven_mm(kind_, module_, decision_, recovery_);
-    if (!seconds || !driven) {
+    const auto end = ending_of(kind_, module_, decision_, recovery_);
+    if (!end) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
       entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
@@ -415,7 +414,7 @@ class Pair {
       return false;
     }
     if (!begins_in_its_zone(last)) return false;
-    return lies_within(*seconds, metres_of(*driven));
+    return lies_within(end->seconds, end->metres);
   }
   // A charge suffices nowhere but in the zone of its ways, or within reach of it.
   [[nodiscard]] bool charge_keeps_in(ir::ZoneIndex zone) const {

@@ -8,6 +8,7 @@
 
 #include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/geometry/joining.h"
@@ -425,72 +426,89 @@ namespace {
 
 // What moves in space goes up or down and on a level straight to where there is room, as far as
 // such legs lead there (verify: legs_back); to circle there it goes on to where that has room, too.
-std::optional<Rational> seconds_of_legs(const sema::RobotKind& kind, const ir::Module& module,
-                                        const ir::Decision& decision, const ir::Recovery& last) {
+std::optional<Ending> by_legs(const sema::RobotKind& kind, const ir::Module& module,
+                              const ir::Decision& decision, const ir::Recovery& last) {
   const int looks = last.kind == ir::RecoveryKind::loiter ? 2 : 1;
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
   // no longer than its box is high, and than that is wide and deep together
   const auto [dx, dy, up] = extent_of(module, module[last.zone]);
-  return legs_seconds(kind, speed, decision.period_us, 2 * looks, looks * (dx + dy + up));
+  const std::int64_t way_mm = looks * (dx + dy + up);
+  const auto seconds = legs_seconds(kind, speed, decision.period_us, 2 * looks, way_mm);
+  return seconds ? std::optional(Ending{*seconds, metres_of(way_mm)}) : std::nullopt;
 }
 
 // Over cells; it begins where it stands, beside the centre of one.
-std::optional<Rational> seconds_over_cells(const sema::RobotKind& kind, const ir::Module& module,
-                                           const ir::Decision& decision, const ir::Recovery& last) {
+std::optional<Ending> by_cells(const sema::RobotKind& kind, const ir::Module& module,
+                               const ir::Decision& decision, const ir::Recovery& last) {
   const Ways ways = ways_of(module, decision, last);
   if (!ways.longest_mm || !ways.stranded.empty()) return std::nullopt;
-  const std::int64_t cell_mm = module[last.zone].cells.cell_mm;
+  const auto cell_mm = static_cast<std::int32_t>(module[last.zone].cells.cell_mm);
   const Rational speed(static_cast<long>(last.speed_mmps), 1000);
   const std::int64_t joined_mm = *ways.longest_mm + joins_within_mm(module[last.zone].cells);
-  const auto cell = static_cast<std::int32_t>(cell_mm);
   if (decision.body.in_space) {
-    return carried_seconds(kind, speed, decision.period_us, cell, joined_mm);
+    const auto seconds = carried_seconds(kind, speed, decision.period_us, cell_mm, joined_mm);
+    return seconds ? std::optional(Ending{*seconds, metres_of(joined_mm)}) : std::nullopt;
   }
   const auto leg_mm = straight_mm(module, decision, last);
-  const Rational driven = leg_mm ? leg_seconds(kind, speed, decision.period_us, *leg_mm)
-                                 : travel_seconds(kind, speed, decision.period_us, cell, joined_mm);
-  if (last.kind == ir::RecoveryKind::route) return driven;
+  Ending end{leg_mm ? leg_seconds(kind, speed, decision.period_us, *leg_mm)
+                    : travel_seconds(kind, speed, decision.period_us, cell_mm, joined_mm),
+             metres_of(leg_mm ? *leg_mm : joined_mm)};
+  if (last.kind == ir::RecoveryKind::route) return end;
   // the last leg goes straight on
   const Rational slowest = speed - lasting_speed(kind, decision.period_us);
-  return driven + Rational(run_out_mm(kind, speed, decision.period_us), 1000) / slowest;
+  const Rational past = metres_of(run_out_mm(kind, speed, decision.period_us));
+  return Ending{end.seconds + past / slowest, end.metres + past};
+}
+
+// For so long it drives at its speed, which errors and pushes make no greater than that.
+Rational driven_for(const Rational& seconds, const sema::RobotKind& kind,
+                    const ir::Decision& decision, const ir::Recovery& step) {
+  if (!ir::moves(step.kind)) return 0;
+  const Rational speed(static_cast<long>(step.speed_mmps), 1000);
+  return seconds * (speed + lasting_speed(kind, decision.period_us));
 }
 
 }  // namespace
 
-std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
-                                       const ir::Decision& decision, const ir::Recovery& recovery) {
+std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& module,
+                                const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);
   if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
   const bool legs = decision.body.in_space && last.kind != ir::RecoveryKind::route;
-  const std::optional<Rational> driven = legs ? seconds_of_legs(kind, module, decision, last)
-                                              : seconds_over_cells(kind, module, decision, last);
-  if (!driven) return std::nullopt;
-  Rational seconds = *driven;
+  std::optional<Ending> end =
+      legs ? by_legs(kind, module, decision, last) : by_cells(kind, module, decision, last);
+  if (!end) return std::nullopt;
   for (const ir::Recovery& step : recovery.steps) {
-    seconds += Rational(static_cast<long>(step.lasts_us), 1'000'000);
+    if (step.lasts_us == 0) continue;  // the last one
+    const Rational lasts(static_cast<long>(step.lasts_us), 1'000'000);
+    const Rational speed(static_cast<long>(step.speed_mmps), 1000);
+    end->seconds += lasts;
+    end->metres += driven_for(lasts, kind, decision, step);
+    if (ir::moves(step.kind)) {
+      end->metres += metres_of(run_out_mm(kind, speed, decision.period_us));
+    }
   }
-  std::int64_t after_us = 0;
+  std::int64_t after_us = (decision.dwell_ticks + 2) * decision.period_us;
+  std::int64_t asked_us = 0;
   for (const ir::Monitor& m : decision.monitors) {
     if (m.recovery.name != recovery.name) continue;
     if (m.returns.how != ir::Returns::How::itself) return std::nullopt;
-    after_us = std::max(after_us, m.returns.after_us);
+    asked_us = std::max(asked_us, m.returns.after_us);
   }
-  const std::int64_t dwell_us = (decision.dwell_ticks + 2) * decision.period_us;
-  return seconds + Rational(static_cast<long>(dwell_us + after_us), 1'000'000);
+  after_us += asked_us;
+  const Rational after(static_cast<long>(after_us), 1'000'000);
+  end->seconds += after;
+  // what does not stand there goes on
+  if (last.kind == ir::RecoveryKind::loiter) {
+    end->metres += driven_for(after, kind, decision, last);
+  }
+  return end;
 }
 
-std::optional<std::int64_t> driven_mm(const sema::RobotKind& kind, const ir::Module& module,
-                                      const ir::Decision& decision, const ir::Recovery& recovery) {
-  const ir::Recovery& last = ir::last_step(recovery);
-  if (!ir::moves(last.kind)) return 0;
-  const Ways ways = ways_of(module, decision, last);
-  if (!ways.longest_mm) return std::nullopt;
-  const auto leg_mm = straight_mm(module, decision, last);
-  const std::int64_t way_mm =
-      leg_mm ? *leg_mm : *ways.longest_mm + joins_within_mm(module[last.zone].cells);
-  if (last.kind == ir::RecoveryKind::route) return way_mm;
-  const Rational speed(static_cast<long>(last.speed_mmps), 1000);
-  return way_mm + run_out_mm(kind, speed, decision.period_us);
+std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
+                                       const ir::Decision& decision, const ir::Recovery& recovery) {
+  const auto end = ending_of(kind, module, decision, recovery);
+  return end ? std::optional(end->seconds) : std::nullopt;
 }
 
 std::int64_t patience_s(const sema::RobotKind& kind, const ir::Module& module,

@@ -59,15 +59,17 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
 std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last);
 
-// Upper bound of the time from taking over until control is given back, as long as no other robot
-// is near and nothing else keeps it: braking, looking, driving, dwelling. none: there is no bound.
+// Upper bounds of the time from taking over until control is given back, as long as no other robot
+// is near and nothing else keeps it (braking, looking, driving, dwelling), and of how far it drives
+// meanwhile, in m: to where its way begins, along that, past where control is given back, and
+// before that and after it as it waits. none: there is no bound.
+struct Ending {
+  Rational seconds, metres;
+};
+std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& module,
+                                const ir::Decision& decision, const ir::Recovery& recovery);
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const ir::Module& module,
                                        const ir::Decision& decision, const ir::Recovery& recovery);
-
-// How far it drives meanwhile, at most, from where it has braked, in mm: to where its way begins,
-// along that, and past where control is given back. 0: it stands. none: there is no bound.
-std::optional<std::int64_t> driven_mm(const sema::RobotKind& kind, const ir::Module& module,
-                                      const ir::Decision& decision, const ir::Recovery& recovery);
 
 // How long a run waits for control to return before it takes it that it does not, in s: twice as
 // long as the longest shortest way in such a zone, along half of all of its edges and across. It

@@ -67,7 +67,8 @@ class OfSlow {
     const std::string text = said_by(*fact).text;
     if (std::ranges::find(asked_, text) == asked_.end()) asked_.push_back(text);
   }
-  // Facts are as many as there are mentions of them, each with its negation.
+  // Facts are as many as there are mentions of them, each with its negation. Equal texts are equal
+  // values (passes: share_values).
   struct Said {
     std::string text;
     bool value = true;

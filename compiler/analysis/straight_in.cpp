@@ -53,10 +53,10 @@ Zone where_held(const TakeOver& at, const Held& held, const Centres& centres_of)
   return all;
 }
 
-// Bodies with their centres there lie in the zone.
-bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres) {
+// Bodies with their centres there lie in the zone, so far from its boundary.
+bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres, std::int64_t off_mm) {
   const std::int64_t body_mm =
-      std::max<std::int64_t>(at.decision.body.radius_mm - offsets_round_mm, 0);
+      std::max<std::int64_t>(at.decision.body.radius_mm + off_mm - offsets_round_mm, 0);
   const auto inside = within(at.exact(zone), body_mm);
   return inside && inside->contains(centres);
 }
@@ -78,7 +78,7 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
         .subtract(at.solid(zone).shrink(by, upright))
         .empty();
   }
-  return fits_all(at, zone, where_held<Region>(at, held, centres));
+  return fits_all(at, zone, where_held<Region>(at, held, centres), 0);
 }
 
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
@@ -122,16 +122,29 @@ Asked asked_of(const TakeOver& at, ir::ZoneIndex fence) {
   asked.alike = sure == all;
   return asked;
 }
+// How far all of the zone is from the boundary of the fence, up to `most_mm`.
+std::int64_t depth_mm(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence,
+                      std::int64_t most_mm) {
+  const auto is_deep = [&](std::int64_t mm) {
+    const auto inside = within(at.exact(fence), mm);
+    return inside && inside->contains(at.exact(zone));
+  };
+  std::int64_t deep = 0, not_deep = most_mm + 1;
+  while (not_deep - deep > 1) {
+    const std::int64_t middle = deep + (not_deep - deep) / 2;
+    (is_deep(middle) ? deep : not_deep) = middle;
+  }
+  return deep;
+}
 // The strictest that leads anybody in from outside of the zone: with stricter parameters each body
-// that `rested` holds, kept as far from the fence as they ask, lies in the zone already.
-template <class Rested>
-std::int64_t led_in_mm(const TakeOver& at, ir::ZoneIndex zone, const Asked& asked,
-                       const Rested& rested) {
+// where `keeps` says so, kept as far from the fence as they ask, lies in the zone already.
+template <class Keeps>
+std::int64_t led_in_mm(const Asked& asked, const Keeps& keeps) {
   std::int64_t led = asked.laxest_mm, fits = asked.strictest_mm;
-  if (!asked.alike || led >= fits || !fits_all(at, zone, rested(fits))) return fits;
+  if (!asked.alike || led >= fits || !keeps(fits)) return fits;
   while (fits - led > 1) {
     const std::int64_t middle = led + (fits - led) / 2;
-    (fits_all(at, zone, rested(middle)) ? fits : led) = middle;
+    (keeps(middle) ? fits : led) = middle;
   }
   return fits;
 }
@@ -147,9 +160,16 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
       where_held<Region>(at, held_at(at), [&](const TakeOver& from, const Standoff& held) {
         return centres(from, {held.zone, held.mm + strays_mm});
       });
-  if (fits_all(at, step.zone, rested)) return true;
-  const std::int64_t standoff_mm = led_in_mm(at, step.zone, asked, [&](std::int64_t mm) {
-    return rested.intersect(centres(at, {fence, mm + strays_mm}));
+  // Whoever has as much to spare in the zone keeps that on its ways, and what the zone is farther
+  // from the boundary of the fence than is asked besides.
+  const std::int64_t deep_mm = depth_mm(at, step.zone, fence, asked.strictest_mm + strays_mm);
+  const auto keeps = [&](const Region& bodies, std::int64_t asked_mm) {
+    const std::int64_t besides_mm = std::max<std::int64_t>(deep_mm - asked_mm, 0);
+    return fits_all(at, step.zone, bodies, std::max<std::int64_t>(strays_mm - besides_mm, 0));
+  };
+  if (keeps(rested, asked.strictest_mm)) return true;
+  const std::int64_t standoff_mm = led_in_mm(asked, [&](std::int64_t mm) {
+    return keeps(rested.intersect(centres(at, {fence, mm + strays_mm})), mm);
   });
   geometry::EntryQuery query{
       .clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm),

@@ -125,7 +125,6 @@ class Search {
     const Vec m = middle(cell);
     return {static_cast<std::int32_t>(m.x), static_cast<std::int32_t>(m.y)};
   }
-  [[nodiscard]] bool is_outside(int cell) const { return cells_.clearance_mm_lo[index(cell)] < 0; }
   // Ways lead over it.
   [[nodiscard]] bool is_clear(int cell) const { return clear_.at(column(cell), row(cell)); }
   static Box box_of(const Connectors::Spot& spot) {

@@ -177,6 +177,18 @@ Led led_within(const sema::Spec& spec, const sema::Decision& d, sema::ZoneId zon
   return all;
 }
 
+const Rational millimetre(1, 1000);
+// Between the two, of which it is so of the least, and up to some: the highest of these, at most a
+// millimetre too low.
+template <class Is>
+Rational highest(Rational low, Rational high, const Is& is) {
+  while (high - low > millimetre) {
+    const Rational middle = (low + high) / 2;
+    (is(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
 // How far from the boundary of the fence bodies have to be, beyond touching it, where parameters
 // are laxest and where they are strictest. `kept`: as much as they ask is all that is said of the
 // fence, of every body.
@@ -229,20 +241,28 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const double body = Rational(kind.radius.value + off.laxest + strays).get_d();
   const geometry::Solid starts =
       where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value + strays);
-  const Rational fits = std::max(Rational(kind.radius.value - offsets_round), Rational(0));
-  const geometry::Solid there = within(claims.zones(), zone, fits);
-  if (starts.subtract(there).empty()) return true;
-  // stricter parameters than some keep every body in the zone: nobody is led there
-  const auto all_there = [&](const Rational& gap) {
-    return starts.intersect(within(claims.zones(), fence, kind.radius.value + gap + strays))
-        .subtract(there)
-        .empty();
+  // All of the zone is so far from the boundary of the fence.
+  const auto is_deep = [&](const Rational& by) {
+    return within(claims.zones(), zone, 0).subtract(within(claims.zones(), fence, by)).empty();
   };
-  if (off.kept && off.strictest > off.laxest && all_there(off.strictest)) {
-    for (Rational less = off.laxest; off.strictest - less > Rational(1, 1000);) {
-      const Rational middle = (less + off.strictest) / 2;
-      (all_there(middle) ? off.strictest : less) = middle;
-    }
+  const Rational depth = highest(0, off.strictest + strays, is_deep);
+  // Who has what it strays to spare in the zone, less what the zone is deeper than is asked, keeps
+  // what is asked on all of its ways.
+  const auto all_keep = [&](const geometry::Solid& bodies, const Rational& asked) {
+    const Rational besides = std::max(Rational(depth - asked), Rational(0));
+    const Rational spare = std::max(Rational(strays - besides), Rational(0));
+    const Rational fits =
+        std::max(Rational(kind.radius.value + spare - offsets_round), Rational(0));
+    return bodies.subtract(within(claims.zones(), zone, fits)).empty();
+  };
+  if (all_keep(starts, off.strictest)) return true;
+  // stricter parameters than some keep every body in the zone: nobody is led there
+  const auto leads_some = [&](const Rational& gap) {
+    const auto kept = within(claims.zones(), fence, kind.radius.value + gap + strays);
+    return !all_keep(starts.intersect(kept), gap);
+  };
+  if (off.kept && off.strictest > off.laxest && !leads_some(off.strictest)) {
+    off.strictest = highest(off.laxest, off.strictest, leads_some) + millimetre;
   }
   const double clearance = Rational(kind.radius.value + off.strictest + strays).get_d();
   const auto aim = number(v, "aim_mm");

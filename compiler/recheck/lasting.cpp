@@ -227,9 +227,9 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (leg && !takes_legs(*zone, *said, kind, steps.back(), milli(*leg))) {
     return wrong("it may take a way over cells, or a longer leg");
   }
-  const auto driven = driven_metres(kind, decision, recovery,
-                                    leg ? std::nullopt : std::optional(milli(said->cells.cell_mm)),
-                                    leg ? milli(*leg) : said->way);
+  const auto cell = leg ? std::nullopt : std::optional(milli(said->cells.cell_mm));
+  const auto driven =
+      driven_metres(kind, decision, recovery, cell, leg ? milli(*leg) : said->way, after);
   if (!driven || *driven > kind.energy->detour.value) {
     return wrong("it drives further than `detour`");
   }

@@ -75,6 +75,7 @@ class Travel {
     return speed_ * late + speed_ * speed_ / (2 * planned());
   }
   [[nodiscard]] Rational run_out_seconds() const { return run_out() / slowest(); }
+  [[nodiscard]] Rational fastest() const { return speed_ + taken_; }
   // Where its correction makes up for the errors of its place and velocity, of which a part r of
   // its speed takes 1 / sqrt(1 - r^2) of itself, 1 + 0.62 r^2 at most; and what pushes it, half as
   // far again until then.
@@ -270,6 +271,13 @@ Rational joined_way(const Rational& way, const Rational& cell) {
   return way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
 }
 
+// It is seen for 50 ms, and a period before and after (language rule 10).
+Rational seen_for(const sema::Decision& decision) {
+  const Rational period = decision.period->value;
+  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
+  return (dwell + 2) * period;
+}
+
 // What comes before and after it has driven.
 Rational around_seconds(const Travel& travel, const sema::Decision& decision,
                         const sema::Controller& recovery, const sema::Template& last) {
@@ -278,10 +286,7 @@ Rational around_seconds(const Travel& travel, const sema::Decision& decision,
   if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
     for (const auto& step : sequence->steps) sum += declared(step.lasts);
   }
-  // then it is seen for 50 ms, and a period before and after (language rule 10)
-  const Rational period = decision.period->value;
-  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
-  return sum + (dwell + 2) * period;
+  return sum + seen_for(decision);
 }
 
 }  // namespace
@@ -310,13 +315,26 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
 
 std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,
                                       const sema::Controller& recovery,
-                                      const std::optional<Rational>& cell, const Rational& way) {
+                                      const std::optional<Rational>& cell, const Rational& way,
+                                      const Rational& after) {
   const std::vector<sema::Template> steps = sema::templates_of(recovery);
   const auto travel = travel_of(kind, decision, steps);
   if (!travel) return std::nullopt;
-  const Rational driven = cell ? joined_way(way, *cell) : way;
-  const bool stops_there = std::holds_alternative<sema::Route>(steps.back());
-  return stops_there ? driven : Rational(driven + travel->run_out());
+  Rational driven = cell ? joined_way(way, *cell) : way;
+  if (!std::holds_alternative<sema::Route>(steps.back())) driven += travel->run_out();
+  if (std::holds_alternative<sema::Loiter>(steps.back())) {
+    driven += travel->fastest() * (seen_for(decision) + after);
+  }
+  if (const auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
+    for (const auto& step : sequence->steps) {
+      const auto speed = sema::speed_of(step.what);
+      if (!step.lasts || !speed || *speed <= 0) continue;
+      const Travel before(kind, decision, Rational(ceil_to_int(Rational(*speed * 1000))) / 1000);
+      if (!before.gets_on()) return std::nullopt;
+      driven += before.fastest() * step.lasts->value + before.run_out();
+    }
+  }
+  return driven;
 }
 
 }  // namespace rtac::recheck

@@ -16,11 +16,13 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
 // The same of a retreat that takes one leg, no longer than `leg`.
 std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                     const sema::Controller& recovery, const Rational& leg);
-// How far it drives for that, past where control is given back: along a way over cells of `cell`
+// How far it drives for that, past where control is given back, and in the steps before and as long
+// as it circles afterwards, `after` the condition of return needs: along a way over cells of `cell`
 // which begins beside it, or a leg.
 std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,
                                       const sema::Controller& recovery,
-                                      const std::optional<Rational>& cell, const Rational& way);
+                                      const std::optional<Rational>& cell, const Rational& way,
+                                      const Rational& after);
 // Whether a robot in space follows the holds that its recovery carries: its brake is not spent.
 bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decision,
                       const sema::Controller& recovery);

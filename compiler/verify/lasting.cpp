@@ -10,14 +10,13 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   if (!s.kind.energy) return std::nullopt;
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::Recovery& last = ir::last_step(m.recovery);
-  const auto seconds = analysis::return_seconds(s.kind, s.module, s.decision, m.recovery);
-  if (!seconds) return std::nullopt;
+  const auto end = analysis::ending_of(s.kind, s.module, s.decision, m.recovery);
+  if (!end) return std::nullopt;
   const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   const std::int64_t way_mm = ways.longest_mm.value_or(0);
   // of an `or` that is kept on one side, it may be more than is reckoned with
-  if (*seconds > s.kind.energy->held.value) return std::nullopt;
-  const auto driven_mm = analysis::driven_mm(s.kind, s.module, s.decision, m.recovery);
-  if (!driven_mm || *driven_mm > 1000 * s.kind.energy->detour.value) return std::nullopt;
+  if (end->seconds > s.kind.energy->held.value) return std::nullopt;
+  if (end->metres > s.kind.energy->detour.value) return std::nullopt;
   const ir::Body& body = s.decision.body;
   const ir::ZoneTable& zone = s.module[last.zone];
   const auto text = [](std::int64_t n) { return std::to_string(n); };
@@ -27,7 +26,7 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
                             {{"decision", s.decision.name},
                              {"monitor", m.name},
                              {"zone", zone.name},
-                             {"held_us", text(ceil_to_int(Rational(*seconds * 1'000'000)))},
+                             {"held_us", text(ceil_to_int(Rational(end->seconds * 1'000'000)))},
                              {"way_mm", text(way_mm)},
                              {"starts_mm", text(body.radius_mm + keeps_mm)},
                              {"route_mm", text(last.route_clearance_mm)},

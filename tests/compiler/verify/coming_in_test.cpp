@@ -255,6 +255,19 @@ TEST_F(ComingIn, TheDistanceThatAParameterAsksForIsKept) {
   }
   expect_denied(beside, "lead across what is not convex");
 }
+// Beside walls the zone leaves out what a robot strays, and is as far from the pond as is asked and
+// no farther: with less clearance in the zone it may be led past the pond with no more.
+TEST_F(ComingIn, WhatStraysHasToFitBesideWallsThatTheZoneLeavesOut) {
+  const auto statuses_of = [](const std::string& off, const std::string& asked) {
+    const std::string text = off_a_pond("shrink(room, 12 cm) - grow(pond, " + off + ")", asked);
+    return p2a_of(report_of(edited(edited(text, "error 1 cm ", "error 5 cm "), "error 1 cm/s",
+                                   "error 8 cm/s")))["status"];
+  };
+  for (const char* const asked : {"1 m", "gap"}) {
+    EXPECT_EQ(statuses_of("1 m", asked), "unknown") << asked;
+    EXPECT_EQ(statuses_of("1.3 m", asked), "proved") << asked;
+  }
+}
 // Beside a shelf that only the zone leaves out, legs keep no more of the clearance in it than
 // little, and pass a wall nearer than is asked.
 TEST_F(ComingIn, WhatOnlyTheZoneLeavesOutIsNoBerth) {

@@ -125,12 +125,59 @@ TEST_F(Lasting, WhatBeginsOutsideOfTheZoneKeepsNoCharge) {
       << o.out;
 }
 
+// What circles drives on while a condition of return needs its time, and so does an earlier step of
+// a sequence: with less of a detour neither is proved.
+TEST_F(Lasting, WhatItDrivesWhileItWaitsIsADetour) {
+  const auto hall = [](const std::string& recovery, const std::string& detour) {
+    return R"(spec laps;
+zone hall = rectangle (0 m, 0 m) to (30 m, 6 m);
+zone east = rectangle (26 m, 0 m) to (30 m, 6 m);
+robot Cart {
+  body     radius 10 cm;
+  motion   point { speed <= 0.6 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 1 cm    max_age 100 ms;
+  sense    velocity : vector  error 1 cm/s  max_age 100 ms;
+  sense    battery  : ratio   error 1 %     max_age 2 s;
+  output   thrust   : acceleration;
+  latency  20 ms;
+  energy   { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.1 %/s; charge >= 1 %/s at home;
+             held <= 300 s; detour <= )" +
+           detour + R"(; }
+}
+fleet one : Cart;
+site  home(one) = (3 m, 3 m);
+controller explore : advanced for Cart extern;
+controller inwards : safe for Cart = )" +
+           recovery + R"(;
+controller go_home : safe for Cart = route to home within hall speed 0.4 m/s;
+monitor walls for c : Cart {
+  "SR-1" always c inside hall; recover inwards;
+  return when historically[0 s, 40 s] (clearance(c, hall) >= 50 cm);
+}
+monitor charged for c : Cart {
+  "SR-2" always c.battery >= energy_to(home(c)) + 5 %; recover go_home;
+}
+decision drive for Cart { advanced explore; period 100 ms; priority walls > charged; }
+)";
+  };
+  for (const std::string recovery :
+       {"loiter within hall speed 0.4 m/s",
+        "sequence retreat within east speed 0.4 m/s for 50 s then retreat within hall speed "
+        "0.4 m/s"}) {
+    prove(hall(recovery, "30 m"));
+    const Outcome less = with_source("detour <= 30 m", "detour <= 15 m");
+    EXPECT_EQ(less.status, exit_violation) << less.out << less.err;
+    const Outcome o = verified(hall(recovery, "15 m"), {"--format", "json"});
+    EXPECT_NE(statuses(o.out, "C", "charged"), Statuses{"proved"}) << recovery << o.out;
+  }
+}
+
 TEST_F(Lasting, AMutatedBoundIsNoticed) {
   prove(carts());
   for (const auto& [key, by] :
        {std::pair("held_us", -1'000), std::pair("way_mm", -1), std::pair("starts_mm", 10),
         std::pair("aim_mm", -1), std::pair("return_mm", -60), std::pair("cell_mm", 10),
-        std::pair("held_us", 300'000'000), std::pair("way_mm", 3'000)}) {
+        std::pair("held_us", 300'000'000), std::pair("leg_mm", 3'000)}) {
     Json report = report_;
     for (Json* const c : claims_of(report, "lasts")) {
       (*c)[key] = std::to_string(std::stoll((*c)[key].get<std::string>()) + by);
