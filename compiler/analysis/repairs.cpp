@@ -176,9 +176,19 @@ class Search {
     const std::int64_t floor = floor_to_int(Rational(before * n.per_unit));
     const std::int64_t written = n.grows ? floor : floor + 1;
     const std::optional<std::int64_t> found =
-        n.grows ? at_least(written, fits) : at_most(n.least, written, fits);
+        n.grows ? at_least(written, fits) : at_most(least_allowed(n, written), written, fits);
     value->value = before;
     return found ? std::optional(Found{&n, written, *found}) : std::nullopt;
+  }
+  // No robot is slower than its recoveries drive.
+  std::int64_t least_allowed(const Number& n, std::int64_t written) {
+    std::int64_t low = n.least - 1, high = written;
+    if (write(n, n.least)) return n.least;
+    while (high - low > 1) {
+      const std::int64_t middle = low + (high - low) / 2;
+      (write(n, middle) ? high : low) = middle;
+    }
+    return high;
   }
   std::optional<Found> nearest(const Found& near) {
     const Number& n = *near.number;
