@@ -9,8 +9,8 @@
 namespace rtac::analysis {
 namespace {
 
-// About 10 ms a trial.
-constexpr std::size_t vertices_most = 200, cells_tried_most = 20'000;
+// Up to 0.1 s a trial.
+constexpr std::size_t vertices_most = 200, cells_tried_most = 100'000;
 
 std::optional<geometry::BakedZone> grown(const geometry::Region& zone, std::int64_t by_mm) {
   // zones to stay in grow less than they are told (zones.cpp, offsets)

@@ -370,6 +370,22 @@ void repair_unseen(const sema::Spec& spec, const std::vector<diag::Diagnostic>& 
   }
 }
 
+// Where ways lead nowhere, the zone that the check has tried (5020).
+void repair_ways(const sema::Spec& spec, const std::vector<diag::Diagnostic>& found,
+                 Report& report) {
+  for (Decision& decision : report.decisions) {
+    for (Obligation& o : decision.obligations) {
+      if (o.kind != Kind::p2b || o.status != Status::refuted || !o.repair.empty()) continue;
+      const auto m = std::ranges::find(spec.monitors, o.monitor, &sema::Monitor::name);
+      const auto tried = std::ranges::find_if(found, [&](const diag::Diagnostic& d) {
+        return d.code == Code::no_way_back && m != spec.monitors.end() && is_about(d, *m) &&
+               d.help.find(" works") != std::string::npos;
+      });
+      if (tried != found.end()) o.repair = tried->help;
+    }
+  }
+}
+
 template <class Visit>
 void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
                       const Visit& visit) {
@@ -477,6 +493,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
   }
   repair_together(report);
   repair_unseen(spec, found, report);
+  repair_ways(spec, found, report);
   drop_own(spec, report);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {

@@ -91,6 +91,56 @@ TEST_F(Verify, WhoMayRestBesideItsDockIsNotShownToKeepItsCharge) {
   EXPECT_NE(o.err.find("\"code\": 5009"), std::string::npos) << o.err;
 }
 
+// A dock behind a corridor, in a hall of ordinary size: how much wider it has to be is told, works,
+// and with 5 % less does not.
+TEST_F(Verify, ACorridorThatIsTooNarrowIsToldHowWideItHasToBe) {
+  const auto behind = [](const std::string& corridor) {
+    return R"(spec narrow_dock;
+zone hall = rectangle (0 m, 0 m) to (14 m, 10 m);
+zone bay  = rectangle (18 m, 2 m) to (22 m, 8 m);
+zone free = )" +
+           corridor + R"(;
+site dock = (20 m, 5 m);
+robot Bot {
+  body radius 30 cm;
+  motion unicycle { speed <= 1 m/s; turn <= 2 rad/s; accel <= 0.8 m/s^2; brake >= 1 m/s^2; turn_accel <= 6 rad/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense heading : angle error 1 deg max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  sense battery : ratio error 1 % max_age 5 s;
+  output drive : twist;
+  latency 40 ms;
+  energy { drive <= 0.2 %/m; idle <= 0.005 %/s; drain <= 0.3 %/s; charge >= 0.5 %/s at dock; held <= 600 s; detour <= 40 m; }
+}
+fleet b : Bot;
+controller scan : advanced for Bot extern;
+controller back : safe for Bot = retreat within hall speed 0.4 m/s;
+controller home : safe for Bot = route to dock within free speed 0.4 m/s;
+monitor charge for r : Bot { "R2" always r.battery >= energy_to(dock) + 10 %; recover home; return when r.battery >= 90 %; }
+decision drive for Bot { advanced scan; period 100 ms; priority charge; }
+)";
+  };
+  const std::string narrow = "hall | rectangle (14 m, 4.5 m) to (18 m, 5.5 m) | bay";
+  const auto grown_by = [](const std::string& by) {
+    return "grow(hall | rectangle (14 m, 4.5 m) to (18 m, 5.5 m) | bay, " + by + " m)";
+  };
+  const Outcome o = verified(behind(narrow), {"--format", "json"});
+  const Json report = Json::parse(o.out);
+  std::string repair;
+  for (const Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] == "P2b") repair = each.value("repair", "");
+  }
+  const std::string before = "`grow(free, ";
+  ASSERT_TRUE(repair.starts_with(before)) << o.out;
+  const double by = std::stod(repair.substr(before.size()));
+  const auto returns = [&](double growth) {
+    const std::string text = behind(grown_by(std::to_string(growth).substr(0, 5)));
+    return statuses(verified(text, {"--format", "json"}).out, "P2b", "charge");
+  };
+  EXPECT_EQ(returns(by), Statuses{"proved"}) << by;
+  EXPECT_NE(returns(0.95 * by - 0.001), Statuses{"proved"}) << by;
+}
+
 // What no choice avoids, and no run shows, is unknown: these retreats end long before the hole in
 // the other zone. The report names the recoveries.
 TEST_F(Verify, CoordinatedRecoveriesThatAreNotShownToKeepEachOtherAreUnknown) {
