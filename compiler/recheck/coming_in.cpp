@@ -218,6 +218,36 @@ Off off_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fenc
   return off;
 }
 
+// A way into a zone in a fence, which a body of that radius strays from by so much.
+struct WayIn {
+  sema::ZoneId zone, fence;
+  Rational radius, strays;
+};
+// How far off the fence the strictest parameters ask for with which somebody is led into the zone;
+// nullopt: with all of them everybody is there and has to spare what it strays, or so much less as
+// all of the zone is farther from the fence than that.
+std::optional<Rational> strictest_led(NamedZones& zones, const WayIn& way,
+                                      const geometry::Solid& starts, const Off& off) {
+  const auto is_deep = [&](const Rational& by) {
+    return within(zones, way.zone, 0).subtract(within(zones, way.fence, by)).empty();
+  };
+  const Rational depth = highest(0, off.strictest + way.strays, is_deep);
+  const auto all_keep = [&](const geometry::Solid& bodies, const Rational& asked) {
+    const Rational besides = std::max(Rational(depth - asked), Rational(0));
+    const Rational spare = std::max(Rational(way.strays - besides), Rational(0));
+    const Rational fits = std::max(Rational(way.radius + spare - offsets_round), Rational(0));
+    return bodies.subtract(within(zones, way.zone, fits)).empty();
+  };
+  if (all_keep(starts, off.strictest)) return std::nullopt;
+  const auto leads_some = [&](const Rational& gap) {
+    const auto kept = within(zones, way.fence, way.radius + gap + way.strays);
+    return !all_keep(starts.intersect(kept), gap);
+  };
+  const bool some_keep = off.kept && off.strictest > off.laxest && !leads_some(off.strictest);
+  return some_keep ? Rational(highest(off.laxest, off.strictest, leads_some) + millimetre)
+                   : off.strictest;
+}
+
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
 // that zone loses no more than ways over cells do.
 bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
@@ -235,36 +265,16 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const Led led = led_within(spec, d, zone);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const double radius = kind.radius.value.get_d();
-  Off off = off_of(spec, *judged.always, fence);
+  const Off off = off_of(spec, *judged.always, fence);
   // a way is driven as it is seen, and not on the millimetre; the hold leaves as much room at rest
   const Rational strays = error + led.beside - rounding;
   const double body = Rational(kind.radius.value + off.laxest + strays).get_d();
   const geometry::Solid starts =
       where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value + strays);
-  // All of the zone is so far from the boundary of the fence.
-  const auto is_deep = [&](const Rational& by) {
-    return within(claims.zones(), zone, 0).subtract(within(claims.zones(), fence, by)).empty();
-  };
-  const Rational depth = highest(0, off.strictest + strays, is_deep);
-  // Who has what it strays to spare in the zone, less what the zone is deeper than is asked, keeps
-  // what is asked on all of its ways.
-  const auto all_keep = [&](const geometry::Solid& bodies, const Rational& asked) {
-    const Rational besides = std::max(Rational(depth - asked), Rational(0));
-    const Rational spare = std::max(Rational(strays - besides), Rational(0));
-    const Rational fits =
-        std::max(Rational(kind.radius.value + spare - offsets_round), Rational(0));
-    return bodies.subtract(within(claims.zones(), zone, fits)).empty();
-  };
-  if (all_keep(starts, off.strictest)) return true;
-  // stricter parameters than some keep every body in the zone: nobody is led there
-  const auto leads_some = [&](const Rational& gap) {
-    const auto kept = within(claims.zones(), fence, kind.radius.value + gap + strays);
-    return !all_keep(starts.intersect(kept), gap);
-  };
-  if (off.kept && off.strictest > off.laxest && !leads_some(off.strictest)) {
-    off.strictest = highest(off.laxest, off.strictest, leads_some) + millimetre;
-  }
-  const double clearance = Rational(kind.radius.value + off.strictest + strays).get_d();
+  const auto led_by =
+      strictest_led(claims.zones(), {zone, fence, kind.radius.value, strays}, starts, off);
+  if (!led_by) return true;
+  const double clearance = Rational(kind.radius.value + *led_by + strays).get_d();
   const auto aim = number(v, "aim_mm");
   if (!aim) return false;
   const double tested = led.over_cells ? std::max(radius, milli(*aim).get_d()) : 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t crowd_stream = 2003, crowd_noise_stream = 2004, lasting_stream = 2006;
 constexpr double s_per_us = 1e-6;
 constexpr TimeUs phase_us_min = 300'000, phase_us_max = 4'000'000;
-constexpr double nearest_m = 1, farthest_m = 6;   // from a robot, at the start
+constexpr double nearest_m = 1, farthest_m = 6;  // from a robot, at the start
 constexpr int tries_max = 400, tries_near = 200;
 constexpr double farther = 1.04;  // each of the later tries, up to 300 km
 
