@@ -1,6 +1,7 @@
 #include "compiler/analysis/recoveries.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/joint_return.h"
@@ -11,6 +12,7 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/timing.h"
 #include "compiler/analysis/widening.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
@@ -155,9 +157,22 @@ class Recoveries {
         from_rest_mmps < decision_.motions.front().speed_mmps
             ? "limits of at least " + to_decimal(Rational(from_rest_mmps, 1000)) + " m/s work, or "
             : "";
-    d.help = limits + leads + "`hold when violated \"why\";` in the monitor" +
-             (limits.empty() ? " works" : "");
+    const auto numbers = repairs(decided_, trials_, fault_of(d.code, d.range), [&](const Trial& t) {
+      const std::int64_t ahead_us = lookahead_us(spec_, written_, t.decision.period_us);
+      return fastest_from_rest(t.decision, ahead_us) <= least_limit_mmps();
+    });
+    d.help = (numbers.empty() ? "" : joined(numbers) + " works, or ") + limits + leads +
+             "`hold when violated \"why\";` in the monitor" +
+             (limits.empty() && numbers.empty() ? " works" : "");
     diagnostics_.report(std::move(d));
+  }
+  [[nodiscard]] std::int64_t least_limit_mmps() const {
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    ir::for_each_comparison(monitor_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+      const auto most = ir::upper_bound(block, c);
+      if (most && most->leaf.kind == ir::Leaf::Kind::speed) least = std::min(least, most->most);
+    });
+    return least;
   }
   // Outside of what it claims an external recovery is braked, in every tick.
   void breaks_its_claim() {

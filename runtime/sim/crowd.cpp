@@ -11,9 +11,9 @@ namespace {
 constexpr std::uint64_t crowd_stream = 2003, crowd_noise_stream = 2004, lasting_stream = 2006;
 constexpr double s_per_us = 1e-6;
 constexpr TimeUs phase_us_min = 300'000, phase_us_max = 4'000'000;
-constexpr double nearest_m = 1, farthest_m = 6;  // from a robot, at the start
-constexpr int tries_max = 400, tries_near = 200;
-constexpr double farther = 1.04;  // each of the later tries, up to 300 km
+constexpr double nearest_m = 1, farthest_m = 6;   // from a robot, at the start
+constexpr int tries_max = 400, tries_near = 200;  // then, up to 300 km, by this factor each time
+constexpr double farther = 1.04;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Crowd::Crowd(const std::vector<AgentSetup>& agents, const std::vector<Property>&
 }
 
 // Where the properties of all robots hold, near one of them; farther and farther away. Where they
-// hold nowhere, as of robots that start outside of what they say, near one.
+// hold nowhere, as robots that start outside of what they say, anywhere near.
 void Crowd::place(const std::vector<Property>& properties, const Surroundings& surroundings) {
   const auto holds = [&] {
     for (const Property& p : properties) {
@@ -64,7 +64,7 @@ void Crowd::place(const std::vector<Property>& properties, const Surroundings& s
       const double reach_m = moves_.uniform(nearest_m, far_m);
       places_.back() = level(k, position_of(truths_[robot])) + any_way(moves_, k, reach_m);
       if (holds()) break;
-      if (tries == 0) near = places_.back();
+      if (tries == tries_near) near = places_.back();
       if (tries + 1 == tries_max) places_.back() = near;
     }
   }
