@@ -488,15 +488,14 @@ std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& m
       end->metres += metres_of(run_out_mm(kind, speed, decision.period_us));
     }
   }
-  std::int64_t after_us = (decision.dwell_ticks + 2) * decision.period_us;
   std::int64_t asked_us = 0;
   for (const ir::Monitor& m : decision.monitors) {
     if (m.recovery.name != recovery.name) continue;
     if (m.returns.how != ir::Returns::How::itself) return std::nullopt;
     asked_us = std::max(asked_us, m.returns.after_us);
   }
-  after_us += asked_us;
-  const Rational after(static_cast<long>(after_us), 1'000'000);
+  const std::int64_t dwell_us = (decision.dwell_ticks + 2) * decision.period_us;
+  const Rational after(static_cast<long>(dwell_us + asked_us), 1'000'000);
   end->seconds += after;
   // what does not stand there goes on
   if (last.kind == ir::RecoveryKind::loiter) {

@@ -193,16 +193,15 @@ class ReturnSet {
     if (of_.trials == nullptr) return "";  // nobody reads it
     const ir::ZoneTable& zone = zone_of(*retreat_);
     if (zone.has_height()) return "the zone has to be wider and higher";
-    // what is grown has round corners, of whose cells verify asks for what the recheck may miss
-    constexpr std::int64_t seen_mm = 5;
-    const std::int64_t need_mm = most_mm(*retreat_) + missing_mm(*retreat_) + seen_mm;
+    // what is grown has round corners
+    const std::int64_t need_mm = most_mm(*retreat_) + missing_mm(*retreat_) + recheck_misses_mm;
     const auto fits = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
       return clearest_mm(cells) >= need_mm;
     };
     const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
     const bool over_cells = returns_over_cells(decision_, ir::last_step(retreat_->recovery));
     const auto by_mm = over_cells ? widening_mm(exact_(place), wider_most_mm / 2, fits)
-                                  : std::optional(missing_mm(*retreat_) + seen_mm);
+                                  : std::optional(missing_mm(*retreat_) + recheck_misses_mm);
     if (!by_mm || *by_mm > wider_most_mm / 2) return "";
     return growth_that_works(*of_.trials, zone.name, exact_(place), *by_mm, 2 * need_mm, fault,
                              *by_mm)

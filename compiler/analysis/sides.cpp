@@ -1,6 +1,8 @@
 #include "compiler/analysis/sides.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
@@ -63,9 +65,11 @@ class OfSlow {
     if (const auto* v = std::get_if<ir::Or>(&op)) return ask(v->a), ask(v->b);
     if (const auto* v = std::get_if<ir::Not>(&op)) return ask(v->a);
     const auto* fact = std::get_if<ir::Fact>(&op);
-    if (fact == nullptr) return;
-    const std::string text = said_by(*fact).text;
-    if (std::ranges::find(asked_, text) == asked_.end()) asked_.push_back(text);
+    if (fact == nullptr || says_.count(fact->index) != 0) return;
+    Said said = said_by(*fact);
+    const auto found = std::ranges::find(asked_, said.text);
+    says_[fact->index] = {static_cast<std::size_t>(found - asked_.begin()), said.value};
+    if (found == asked_.end()) asked_.push_back(std::move(said.text));
   }
   // Facts are as many as there are mentions of them, each with its negation. Equal texts are equal
   // values (passes: share_values).
@@ -101,9 +105,8 @@ class OfSlow {
       return is_told && !holds(v->a, told);
     }
     if (const auto* fact = std::get_if<ir::Fact>(&op)) {
-      const Said said = said_by(*fact);
-      const auto place = std::ranges::find(asked_, said.text) - asked_.begin();
-      return ((told >> place & 1U) != 0) == said.value;
+      const auto& [place, value] = says_.at(fact->index);
+      return ((told >> place & 1U) != 0) == value;
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     const auto bound = compare ? ir::upper_bound(block_, *compare) : std::nullopt;
@@ -115,6 +118,7 @@ class OfSlow {
   const ir::Block& block_;
   const std::int64_t mmps_;
   std::vector<std::string> asked_;
+  std::map<std::uint32_t, std::pair<std::size_t, bool>> says_;  // by fact: which of them, or not
 };
 
 }  // namespace

@@ -14,7 +14,8 @@ bool asks_for_slow(const ir::Module& module, const ir::Decision& decision, const
                    ir::ValueId id, std::int64_t mmps);
 
 // Whether one side of an `or` does, as slow as the recovery of monitor `k` drives. Its brake makes
-// the robot no faster: what held until it stands goes on to hold then.
+// the robot no faster: what held until it stands goes on to hold then, but where inputs change what
+// is asked, to which the brake is the answer.
 bool has_slow_side(const ir::Module& module, const ir::Decision& decision, std::size_t k,
                    const ir::Block& block, const ir::Or& either);
 

@@ -211,20 +211,18 @@ bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& 
   return region.contains(at) && square_to(region.rings(), at) >= radius * radius;
 }
 
-// Where no cell is clearly clearer than what is asked for the recheck does not find the way: it
-// knows the clearances of cells to 4 mm, and to the millimetre where all edges run along the axes.
-// "": one is.
+// Where no cell is clearly clearer than what is asked for the recheck does not find the way. "":
+// one is, or all edges run along the axes, where it knows clearances to the millimetre.
 std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
-  constexpr std::int64_t known_mm = 5;
   const ir::ZoneTable& zone = s.module[last.zone];
   const bool along_axes = std::ranges::all_of(
       zone.edges, [](const ir::Edge& e) { return e.ax == e.bx || e.ay == e.by; });
   const std::int64_t room_mm = analysis::room_mm(s.decision, last, zone);
   if (!ir::goes_back(last.kind) || along_axes) return "";
-  if (room_mm >= last.return_clearance_mm + known_mm) return "";
+  if (room_mm >= last.return_clearance_mm + analysis::recheck_misses_mm) return "";
   return "no cell of " + quoted(zone.name) + " has more than " + metres(room_mm) +
          " of clearance, and to be seen by the recheck it takes " +
-         metres(last.return_clearance_mm + known_mm);
+         metres(last.return_clearance_mm + analysis::recheck_misses_mm);
 }
 
 // Why ways over cells may not be those that the recovery takes, and what helps; "": they are.
