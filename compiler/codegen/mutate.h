@@ -19,7 +19,7 @@ struct Mutant {
   void (*edit)(ir::Decision&);  // may be null
   std::vector<TextEdit> text;
   void (*of_recovery)(ir::Recovery&) = nullptr;
-  // Without it nothing of the decision changes, whatever is edited; null: edits tell.
+  // Without it no decision changes, whatever is edited; null: edits tell.
   bool (*matters)(const ir::Decision&) = nullptr;
 };
 
@@ -28,7 +28,8 @@ const std::vector<Mutant>& mutants();
 const Mutant* find_mutant(const std::string& name);
 std::string mutant_names();
 
-// Whether it may change any decision.
+// Whether it may change any decision. A function whose contract is proved alone may be wrong all the
+// same: only what is run asks for this.
 bool may_matter(const Mutant& mutant, const ir::Module& module);
 
 // Of all decisions.

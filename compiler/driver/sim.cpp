@@ -58,6 +58,8 @@ std::string compile_kernel(const Options& options, Compilation& c, const std::st
   codegen::Naming naming;
   naming.stem = naming.space = sim_kernel_name;
   naming.mutant = options.mutant;
+  const codegen::Mutant* const mutant = codegen::find_mutant(options.mutant);
+  if (mutant != nullptr && !codegen::may_matter(*mutant, *c.module)) return nothing_mutated;
   std::vector<OutputFile> files;
   for (auto& file : codegen::generate(std::move(*c.module), *c.spec, naming)) {
     files.push_back({std::move(file.name), std::move(file.text)});
