@@ -11,6 +11,7 @@
 
 #include "tests/differential/batch.h"
 #include "tests/differential/probe.h"
+#include "tests/turn.h"
 
 namespace rtac::differential {
 namespace {
@@ -78,6 +79,7 @@ std::vector<Pair> pairs() {
 class Pairs : public ::testing::TestWithParam<std::size_t> {
  protected:
   void SetUp() override {
+    if (!rtac::test::is_due(GetParam())) GTEST_SKIP() << "another part has its turn";
     const std::vector<Pair> all = pairs();
     for (std::size_t i = GetParam(); i < all.size(); i += parts) mine_.push_back(all[i]);
     std::vector<std::size_t> open(mine_.size());

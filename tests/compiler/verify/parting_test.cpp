@@ -98,10 +98,10 @@ TEST_F(PartingInABasin, OfTwoFerriesOneFindsAWay) {
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
   // what is said of it is not believed of one with a dead end
   write("certificates/sources/spec.rta", ferries(dead_end));
-  const Outcome other = recheck_sealed_anew();
-  EXPECT_EQ(other.status, exit_violation);
-  EXPECT_NE((other.out + other.err).find("may not get out of each other's way"), std::string::npos)
-      << other.out << other.err;
+  const Outcome forged = recheck_sealed_anew();
+  EXPECT_EQ(forged.status, exit_violation);
+  EXPECT_NE((forged.out + forged.err).find("may not get out of each other's way"), std::string::npos)
+      << forged.out << forged.err;
 }
 TEST_F(PartingInABasin, TheDeadEndIsNamed) {
   const Outcome o = verified(ferries(dead_end), {"--format", "json"});
