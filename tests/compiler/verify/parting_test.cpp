@@ -100,7 +100,8 @@ TEST_F(PartingInABasin, OfTwoFerriesOneFindsAWay) {
   write("certificates/sources/spec.rta", ferries(dead_end));
   const Outcome forged = recheck_sealed_anew();
   EXPECT_EQ(forged.status, exit_violation);
-  EXPECT_NE((forged.out + forged.err).find("may not get out of each other's way"), std::string::npos)
+  EXPECT_NE((forged.out + forged.err).find("may not get out of each other's way"),
+            std::string::npos)
       << forged.out << forged.err;
 }
 TEST_F(PartingInABasin, TheDeadEndIsNamed) {
