@@ -8,13 +8,44 @@ namespace rtac::analysis {
 namespace {
 
 // Beyond the grid nothing is clear any more.
-constexpr std::int64_t most_mm = 1 << 30;
+constexpr std::int64_t off_grid_mm = 1 << 30;
 
 void raise(std::int64_t& wanted_mm, std::int64_t least_mm) {
-  wanted_mm = std::max(wanted_mm, std::min(least_mm, most_mm));
+  wanted_mm = std::max(wanted_mm, std::min(least_mm, off_grid_mm));
+}
+
+std::int64_t sure_separation(const ir::Block& block, ir::ValueId id,
+                             const std::vector<ir::Param>& params) {
+  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
+    return std::max(sure_separation(block, both->a, params),
+                    sure_separation(block, both->b, params));
+  }
+  if (const auto* either = std::get_if<ir::Or>(&block[id].op)) {
+    return std::min(sure_separation(block, either->a, params),
+                    sure_separation(block, either->b, params));
+  }
+  if (const auto* others = std::get_if<ir::ForOthers>(&block[id].op)) {
+    return others->universal ? sure_separation(*others->body, others->body->result, params) : 0;
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+  const auto bound = compare != nullptr ? ir::lower_bound(block, *compare, params) : std::nullopt;
+  if (!bound || bound->leaf.kind != ir::Leaf::Kind::distance) return 0;
+  return std::clamp<std::int64_t>(bound->need.strictest, 0, off_grid_mm);
 }
 
 }  // namespace
+
+std::int64_t sure_separation_mm(const ir::Block& property, const std::vector<ir::Param>& params) {
+  return sure_separation(property, property.result, params);
+}
+
+std::int64_t sure_separation_mm(const ir::Decision& decision) {
+  std::int64_t most = 0;
+  for (const ir::Monitor& m : decision.monitors) {
+    most = std::max(most, sure_separation_mm(m.property, decision.facts.params));
+  }
+  return most;
+}
 
 void ask_for_standoffs(const ir::Block& property, const std::vector<ir::Param>& params,
                        Standoffs& wanted) {
@@ -45,7 +76,7 @@ std::vector<Standoff> fence_standoffs(const ir::Block& property,
   ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
     const auto bound = ir::lower_bound(block, compare, params);
     if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return;
-    all.push_back({ir::ZoneIndex{bound->leaf.table}, std::min(bound->need.strictest, most_mm)});
+    all.push_back({ir::ZoneIndex{bound->leaf.table}, std::min(bound->need.strictest, off_grid_mm)});
   });
   return all;
 }

@@ -21,6 +21,12 @@ void ask_for_standoffs(const ir::Block& property, const std::vector<ir::Param>& 
 // Of all monitors of the decision.
 Standoffs standoffs_of(const ir::Decision& decision);
 
+// How far from every other robot at least a robot is whenever the property holds, in mm, with
+// parameters at their strictest. 0: it may hold however near one is.
+std::int64_t sure_separation_mm(const ir::Block& property, const std::vector<ir::Param>& params);
+// Of all monitors of the decision.
+std::int64_t sure_separation_mm(const ir::Decision& decision);
+
 // A clearance of some zone that a property asks for, on whichever side of an `or`.
 struct Standoff {
   ir::ZoneIndex zone;

@@ -301,6 +301,15 @@ class Check {
       }
     }
   }
+  // Of all its properties.
+  std::optional<Rational> at_most_asked(const sema::Decision& d) const {
+    std::optional<Rational> most;
+    for (const sema::MonitorId id : d.priority) {
+      const auto asked = distance_asked(spec_, d, *spec_[id].always);
+      if (asked && (!most || *asked > *most)) most = asked;
+    }
+    return most;
+  }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
     if (has(e, "no_fences", {{"decision", d.name}})) {
@@ -318,7 +327,7 @@ class Check {
     }
     for (const Claim& c : e.claims) {
       if (c.what != "place" && c.what != "returned") continue;
-      if (text(c.values, "decision") != d.name) continue;
+      if (text(c.values, "decision") != d.name || c.values.count("robot") != 0) continue;
       places.insert(c.values.count("x_mm") + c.values.count("y_mm") == 2
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
@@ -338,6 +347,40 @@ class Check {
     }
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
+    named.erase("");
+    all_at_once(d, e, named);
+  }
+  // Of three robots and more that are to be so far apart, each has a place in all of these zones.
+  void all_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& zones) {
+    const auto robots = std::ranges::count(spec_.robots, d.kind, &sema::Robot::kind);
+    const auto asked = at_most_asked(d);
+    if (robots < 3 || !asked || *asked <= 0 || zones.empty() || spec_[d.kind].in_space) return;
+    const Rational apart = *asked + 2 * spec_[d.kind].radius.value;
+    std::vector<geometry::Point> centres;
+    for (long k = 0; k < robots; ++k) {
+      std::set<std::pair<std::int64_t, std::int64_t>> at;
+      std::set<std::string> left = zones;
+      for (const Claim& c : e.claims) {
+        if (c.what != "place" || text(c.values, "decision") != d.name) continue;
+        if (number(c.values, "robot") != k) continue;
+        const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
+        if (x && y) at.emplace(*x, *y);
+        left.erase(text(c.values, "zone"));
+      }
+      if (at.size() != 1 || !left.empty()) {
+        fail(whom(d, e) + ": there is no place for all robots at once");
+        return;
+      }
+      centres.push_back({milli(at.begin()->first), milli(at.begin()->second)});
+    }
+    for (std::size_t k = 1; k < centres.size(); ++k) {
+      for (std::size_t j = 0; j < k; ++j) {
+        const Rational dx = centres[k].x - centres[j].x, dy = centres[k].y - centres[j].y;
+        if (dx * dx + dy * dy >= apart * apart) continue;
+        fail(whom(d, e) + ": two of its robots are too near to each other");
+        return;
+      }
+    }
   }
   bool asks_for_height(const sema::Decision& d) const {
     return std::ranges::any_of(

@@ -12,14 +12,6 @@ namespace {
 using geometry::Point;
 using geometry::Region;
 
-bool is_clear(const Subject& s, const std::vector<Need>& all, const Point& p) {
-  return std::ranges::all_of(all, [&](const Need& need) {
-    const Region& region = s.exact(need.zone);
-    const Rational metres = analysis::metres_of(need.clearance_mm);
-    return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
-  });
-}
-
 // Where the rings of a polygon cross a horizontal line, from left to right: between the first and
 // the second it is inside, and so on. A vertex on the line counts as above it.
 std::vector<Rational> crossings(const geometry::PolygonWithHoles& polygon, const Rational& y) {
@@ -72,6 +64,14 @@ std::optional<Point> place_in_common(const Subject& s, const std::vector<Need>& 
 }
 
 }  // namespace
+
+bool is_clear(const Subject& s, const std::vector<Need>& all, const Point& p) {
+  return std::ranges::all_of(all, [&](const Need& need) {
+    const Region& region = s.exact(need.zone);
+    const Rational metres = analysis::metres_of(need.clearance_mm);
+    return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
+  });
+}
 
 std::optional<Point> common_place(const Subject& s, const std::vector<Need>& all) {
   const Need& narrowest =

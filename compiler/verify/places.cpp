@@ -11,10 +11,12 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/vacuous.h"
+#include "compiler/geometry/crowding.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/common_place.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/room_for_all.h"
 
 namespace rtac::verify {
 namespace {
@@ -335,7 +337,6 @@ Obligation can_fail(const Subject& s, std::size_t k) {
 
 namespace {
 
-// Whether there is room for all robots at once is not looked at.
 std::string where_others_are_far(const Subject& s) {
   const bool apart = std::ranges::any_of(
       s.decision.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
@@ -355,6 +356,43 @@ std::string seen_too_near(const Subject& s, const std::vector<Need>& needs) {
            metres(need.clearance_mm);
   }
   return "";
+}
+
+// What works instead of a distance that leaves no room for all robots.
+std::string smaller_distance(const Subject& s, const RoomForAll& room, std::int64_t apart_mm) {
+  const auto most_mm = room.most_apart_mm(apart_mm);
+  const std::int64_t left_mm = most_mm.value_or(0) - 2 * s.decision.body.radius_mm;
+  return left_mm > 0 ? "a distance of at most " + metres(left_mm) + " works, or a wider zone"
+                     : "a wider zone works";
+}
+
+// Of what is shown of one robot, that there is room for all of them, as far apart as is asked. Of
+// two that is known by then.
+Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, Obligation o) {
+  const std::int64_t apart_mm = centres_apart_mm(s);
+  if (s.decision.robots < 3 || apart_mm == 0 || zones.empty()) return o;
+  const std::string robots = std::to_string(s.decision.robots);
+  const RoomForAll room(s, zones);
+  const auto centres = room.centres(apart_mm);
+  if (!centres) {
+    o.status = Status::unknown;
+    o.method = "no proof";
+    o.because = "no places were found where " + robots + " robots are given back, their centres " +
+                metres(apart_mm) + " apart";
+    o.repair = smaller_distance(s, room, apart_mm);
+    o.claims.clear();
+    return o;
+  }
+  o.because += "; there is room for " + robots;
+  for (std::size_t k = 0; k < centres->size(); ++k) {
+    const std::int64_t x_mm = in_mm((*centres)[k].x), y_mm = in_mm((*centres)[k].y);
+    for (const Need& need : zones) {
+      Claim claim = place_claim(s, need.zone, x_mm, y_mm, need.clearance_mm);
+      claim.values["robot"] = std::to_string(k);
+      o.claims.push_back(std::move(claim));
+    }
+  }
+  return o;
 }
 
 Obligation together(const Subject& s, const JointNeeds& needs) {
@@ -394,7 +432,7 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     for (Claim& claim : returned_claims(s, x_mm, y_mm, std::nullopt)) {
       o.claims.push_back(std::move(claim));
     }
-    return o;
+    return all_at_once(s, needs.zones, std::move(o));
   }
   // `shrink` takes up to 1 mm more than it is asked for
   geometry::Region common = geometry::Region::everywhere();
@@ -414,21 +452,16 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
   return o;
 }
 
-// Whether discs around the robots that overlap nowhere would take more than all that is within
-// their radius of where the robots may be: of places of the plane.
+// Whether the robots do not fit where they are given back in a zone, so far apart: in the plane.
 bool crowded(const Subject& s, ir::ZoneIndex fence, std::int64_t clearance_mm,
              std::int64_t separation_mm) {
-  constexpr double quarter_pi = 0.785398;  // rounded down
   const ir::Decision& d = s.decision;
   const ir::ZoneTable& zone = s.module[fence];
   if (d.robots < 3 || d.body.in_space || zone.has_height() || zone.edges.empty()) return false;
   const auto deep =
       analysis::within(s.exact(fence), std::max<std::int64_t>(clearance_mm - rounded_mm, 0));
-  const std::int64_t apart_mm = separation_mm + 2 * d.body.radius_mm;
-  const auto around = deep ? deep->offset(analysis::metres_of(apart_mm) / 2) : std::nullopt;
-  if (!around) return false;
-  const double apart_m = static_cast<double>(apart_mm) / 1000;
-  return static_cast<double>(d.robots) * quarter_pi * apart_m * apart_m > around->area().get_d();
+  return deep && geometry::too_many_for(*deep, static_cast<std::size_t>(d.robots),
+                                        analysis::metres_of(separation_mm + 2 * d.body.radius_mm));
 }
 
 // That no two robots of the decision are ever as far apart as one of its properties asks for, in a
@@ -438,8 +471,7 @@ std::string never_so_far_apart(const Subject& s) {
   if (d.robots < 2 && !d.open_fleet) return "";
   for (const ir::Monitor& m : d.monitors) {
     if (!m.lookahead.duration) continue;
-    analysis::Standoffs own;
-    analysis::ask_for_standoffs(m.property, d.facts.params, own);
+    const std::int64_t asked_mm = analysis::sure_separation_mm(m.property, d.facts.params);
     for (const ir::Monitor& other : d.monitors) {
       for (const ir::ZoneIndex fence : analysis::sure_fences(other.property, d.facts.params)) {
         if (!other.lookahead.duration) continue;
@@ -448,15 +480,14 @@ std::string never_so_far_apart(const Subject& s) {
                                                            {s.exact, any_solid(s)}, fence, back_mm);
         if (!across_mm) continue;
         const std::int64_t most_mm = std::max<std::int64_t>(*across_mm - 2 * d.body.radius_mm, 0);
-        if (own.separation_mm > 0 && own.separation_mm <= most_mm &&
-            crowded(s, fence, back_mm, own.separation_mm)) {
-          return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
-                 ", and " + std::to_string(d.robots) +
+        if (asked_mm > 0 && asked_mm <= most_mm && crowded(s, fence, back_mm, asked_mm)) {
+          return quoted(m.name) + " asks for a distance of " + metres(asked_mm) + ", and " +
+                 std::to_string(d.robots) +
                  " robots that are so far apart do not fit where they are given back in " +
                  quoted(s.module[fence].name);
         }
-        if (own.separation_mm <= most_mm) continue;
-        return quoted(m.name) + " asks for a distance of " + metres(own.separation_mm) +
+        if (asked_mm <= most_mm) continue;
+        return quoted(m.name) + " asks for a distance of " + metres(asked_mm) +
                ", and no two robots are more than " + metres(most_mm) +
                " apart where both are given back in " + quoted(s.module[fence].name);
       }
@@ -474,7 +505,10 @@ Obligation returns_together(const Subject& s) {
     o.status = Status::refuted;
     o.method = "geometry";
     o.because = never;
-    o.repair = "a wider zone works, or a smaller distance";
+    const std::vector<Need> zones = joint_needs_of(s).zones;
+    const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
+    o.repair = flat ? smaller_distance(s, RoomForAll(s, zones), centres_apart_mm(s))
+                    : "a wider zone works, or a smaller distance";
     return o;
   }
   const auto& monitors = s.decision.monitors;

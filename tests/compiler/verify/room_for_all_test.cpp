@@ -1,0 +1,128 @@
+// Whether all robots of a fleet have room at once, as far apart as is asked.
+#include <cmath>
+#include <functional>
+
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+std::string fleet(const std::string& robots, const std::string& apart,
+                  const std::string& room = "rectangle (0 m, 0 m) to (10 m, 10 m)") {
+  return R"(spec crowd;
+zone hall = )" +
+         room + R"(;
+robot Cart {
+  body radius 30 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+  hears other robots max_age 200 ms;
+}
+fleet )" +
+         robots +
+         R"( : Cart;
+controller go : advanced for Cart extern;
+controller back : safe for Cart = retreat within hall speed 0.3 m/s;
+controller halt : safe for Cart = brake_and_hold;
+monitor walls for r : Cart { "R1" always r inside hall; recover back; }
+monitor apart for r : Cart {
+  "R2" always )" +
+         apart + R"(;
+  recover halt; hold when violated "they are led apart by hand";
+}
+decision drive for Cart { advanced go; period 50 ms; priority walls > apart; }
+)";
+}
+std::string each_other(const std::string& distance) {
+  return "forall q : Cart, q != r : distance(r, q) >= " + distance;
+}
+
+class RoomForAll : public Verify {
+ protected:
+  static Json joint(const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+    const Json report = Json::parse(o.out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == "joint return") return each;
+    }
+    return {};
+  }
+};
+
+TEST_F(RoomForAll, PlacesForAllOfThemAreShown) {
+  const std::pair<const char*, const char*> fit[] = {
+      {"a, b", "11 m"}, {"a, b, c", "8 m"}, {"a, b, c, d, e", "5 m"}};
+  for (const auto& [robots, distance] : fit) {
+    const Json found = joint(fleet(robots, each_other(distance)));
+    EXPECT_EQ(found["status"], "proved") << found;
+    const Outcome again = rtac({"verify", "--recheck", "certificates"});
+    EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+  }
+}
+// Three in a square are 1.035 times its side apart at most: here 8.46 m, less their bodies.
+TEST_F(RoomForAll, TheLargestDistanceThatLeavesRoomIsOffered) {
+  const Json found = joint(fleet("a, b, c", each_other("9 m")));
+  EXPECT_EQ(found["status"], "unknown") << found;
+  const std::string repair = found["repair"];
+  const std::string lead = "a distance of at most ";
+  ASSERT_EQ(repair.find(lead), 0U) << repair;
+  const std::string most = repair.substr(lead.size(), repair.find(" m ") - lead.size());
+  EXPECT_GT(std::stod(most), 8.4);
+  EXPECT_EQ(joint(fleet("a, b, c", each_other(most + " m")))["status"], "proved") << most;
+  const std::string more = std::to_string(std::lround(std::stod(most) * 105)) + " cm";
+  EXPECT_EQ(joint(fleet("a, b, c", each_other(more)))["status"], "unknown") << more;
+}
+TEST_F(RoomForAll, MoreThanEverFitAreRefuted) {
+  const Json found = joint(fleet("a, b, c, d, e, f", each_other("7 m")));
+  EXPECT_EQ(found["status"], "refuted") << found;
+  EXPECT_NE(found["because"].get<std::string>().find("6 robots that are so far apart do not fit"),
+            std::string::npos)
+      << found;
+}
+// One other robot that is far off is enough, or a stop.
+TEST_F(RoomForAll, WhatDoesNotAskForAllOfThemToBeApartNeedsNoRoom) {
+  for (const char* const apart : {"exists q : Cart, q != r : distance(r, q) >= 9.5 m",
+                                  "forall q : Cart, q != r : distance(r, q) >= 9.5 m or "
+                                  "r.speed <= 0.3 m/s"}) {
+    const Json found = joint(fleet("a, b, c, d, e, f", apart));
+    EXPECT_EQ(found["status"], "proved") << apart << found;
+  }
+}
+TEST_F(RoomForAll, ForgedPlacesAreNoticed) {
+  ASSERT_EQ(joint(fleet("a, b, c", each_other("5 m")))["status"], "proved");
+  const Json report = Json::parse(read("certificates/verification.json"));
+  const auto rechecked = [&](const std::function<bool(Json&)>& change, const char* complaint) {
+    Json forged = report;
+    for (Json& o : forged["decisions"][0]["obligations"]) {
+      if (o["obligation"] != "joint return") continue;
+      Json claims = Json::array();
+      for (Json& c : o["claims"]) {
+        if (!c.contains("robot") || change(c)) claims.push_back(c);
+      }
+      o["claims"] = claims;
+    }
+    write("certificates/verification.json", forged.dump(2));
+    const Outcome again = recheck_sealed_anew();
+    EXPECT_NE((again.out + again.err).find(complaint), std::string::npos) << again.out << again.err;
+    EXPECT_EQ(again.status, exit_violation);
+  };
+  rechecked([](Json& c) { return c["robot"] != "1"; }, "no place for all robots at once");
+  rechecked(
+      [](Json& c) {
+        c["x_mm"] = "5000", c["y_mm"] = c["robot"] == "0" ? "2000" : "6000";
+        return true;
+      },
+      "too near to each other");
+  rechecked(
+      [](Json& c) {
+        if (c["robot"] == "2") c["x_mm"] = "9900", c["y_mm"] = "9900";
+        return true;
+      },
+      "nearer to the boundary");
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
