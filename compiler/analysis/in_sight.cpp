@@ -31,14 +31,23 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
   return goals;
 }
 
+namespace {
+
+// With which clearance a robot may be seen where its body has what it keeps.
+std::int64_t seen_least_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
+  const ir::Body& body = decision.body;
+  return body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
+}
+
+}  // namespace
+
 std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
                                        const ir::Cells& cells, const ir::Decision& decision,
                                        const ir::Recovery& recovery) {
-  const ir::Body& body = decision.body;
-  const std::int64_t least_mm =
-      body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
-  if (!ir::goes_back(recovery.kind) || least_mm >= body.radius_mm) return std::nullopt;
+  const std::int64_t least_mm = seen_least_mm(decision, recovery);
+  if (!ir::goes_back(recovery.kind) || least_mm >= decision.body.radius_mm) return std::nullopt;
   // a way ends short of where it aims, by a measurement, and what legs keep has room for that
+  const ir::Body& body = decision.body;
   const std::int64_t fits_mm = body.radius_mm + body.end_reach_mm + body.position_error_mm;
   const std::int64_t goal_mm = std::min(fits_mm, recovery.route_clearance_mm);
   const geometry::CellGrid grid = grid_of(cells);
@@ -48,6 +57,38 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
     if (cells.clearance_mm_lo[at] < goal_mm && !legs.longest_from(at)) return at;
   }
   return std::nullopt;
+}
+
+// It tries its goals from the deepest on, and searches for no way: what it takes is straight away
+// from the boundary, or in sight. The recheck is sure of lengths to 3 mm, of cells that have 4 mm,
+// and not of those that the boundary passes by.
+std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+                            const ir::Decision& decision, const ir::Recovery& recovery) {
+  constexpr std::int32_t surely_mm = 4, rounded_mm = 1;
+  const std::int64_t least_mm = seen_least_mm(decision, recovery);
+  if (least_mm >= decision.body.radius_mm) return LedIn{};
+  if (least_mm <= 0) return std::nullopt;
+  geometry::CellGrid grid = grid_of(cells);
+  for (std::int32_t& clearance : grid.clearance_mm_lo) {
+    if (clearance < surely_mm) clearance = -1;
+  }
+  const std::int32_t least = in_mm(least_mm);
+  const std::int64_t route_mm = recovery.route_clearance_mm;
+  geometry::StraightLegs known(edges, grid, least, in_mm(route_mm));
+  const geometry::StraightLegs near(edges, grid, least, in_mm(route_mm - rounded_mm));
+  const geometry::StraightLegs far(edges, grid, least,
+                                   in_mm(recovery.return_clearance_mm - rounded_mm));
+  LedIn in{route_mm, goals_mm(decision, recovery).back()};
+  for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
+    const std::int64_t clearance = cells.clearance_mm_lo[at];
+    if (clearance < 0 || clearance >= decision.body.radius_mm) continue;
+    const auto leg = known.longest_from(at);
+    in.first_mm = std::max(in.first_mm, whole_mm(leg ? *leg : near.farthest_from(at)));
+    in.all_mm = std::max(in.all_mm, whole_mm(far.farthest_from(at)));
+  }
+  in.first_mm += cells.cell_mm;
+  in.all_mm += cells.cell_mm;
+  return in;
 }
 
 InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,

@@ -25,6 +25,15 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
                                        const ir::Cells& cells, const ir::Decision& decision,
                                        const ir::Recovery& recovery);
 
+// The longest legs by which a recovery leads in who may be seen with less clearance than its body
+// takes: the first to where ways begin, or else all the way to where control is given back. 0:
+// nobody is; nullopt: it may be seen outside.
+struct LedIn {
+  std::int64_t first_mm = 0, all_mm = 0;
+};
+std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+                            const ir::Decision& decision, const ir::Recovery& recovery);
+
 // By goal and cell.
 using Marks = std::vector<std::vector<bool>>;
 

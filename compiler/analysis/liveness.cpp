@@ -12,6 +12,7 @@
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/geometry/joining.h"
+#include "compiler/geometry/way_legs.h"
 
 namespace rtac::analysis {
 namespace {
@@ -422,6 +423,25 @@ std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Deci
   return InSight(edges, zone.cells, decision, last).always_mm();
 }
 
+// The recheck knows the cells of outlines along the axes to the millimetre, and of others not
+// quite.
+std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decision,
+                             const ir::Recovery& last, std::int64_t way_mm) {
+  if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
+  const ir::ZoneTable& zone = module[last.zone];
+  const bool along_axes = std::ranges::all_of(
+      zone.edges, [](const ir::Edge& e) { return e.ax == e.bx || e.ay == e.by; });
+  const auto in = along_axes ? led_in(edges_of(zone), zone.cells, decision, last) : std::nullopt;
+  if (!in) return std::nullopt;
+  const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
+  geometry::WayLegsQuery query{mm(decision.body.radius_mm), mm(last.route_clearance_mm), {}};
+  for (const std::int64_t goal_mm : goals_mm(decision, last)) query.goals_mm.push_back(mm(goal_mm));
+  const auto legs = geometry::most_legs(grid_of(zone), query);
+  const int looks = in->first_mm > 0 ? 2 : 1;
+  if (!legs || *legs + looks > pace::waypoints) return std::nullopt;
+  return Legs{*legs + 1, looks, std::max(in->first_mm, in->all_mm - way_mm)};
+}
+
 namespace {
 
 // What moves in space goes up or down and on a level straight to where there is room, as far as
@@ -437,6 +457,27 @@ std::optional<Ending> by_legs(const sema::RobotKind& kind, const ir::Module& mod
   return seconds ? std::optional(Ending{*seconds, metres_of(way_mm)}) : std::nullopt;
 }
 
+// By one leg, by the legs that are counted, or by as many as a way of `joined_mm` has cells.
+Ending in_the_plane(const sema::RobotKind& kind, const ir::Module& module,
+                    const ir::Decision& decision, const ir::Recovery& last,
+                    std::int64_t joined_mm) {
+  const Rational speed(static_cast<long>(last.speed_mmps), 1000);
+  const auto of_legs = [&](const Legs& legs, std::int64_t way_mm) {
+    return few_legs_seconds(kind, speed, decision.period_us, legs.count + legs.looks - 1,
+                            legs.looks + 1, way_mm + legs.led_in_mm);
+  };
+  if (const auto leg_mm = straight_mm(module, decision, last)) {
+    return {of_legs({}, *leg_mm), metres_of(*leg_mm)};
+  }
+  const auto cell_mm = static_cast<std::int32_t>(module[last.zone].cells.cell_mm);
+  const Ending by_cells{travel_seconds(kind, speed, decision.period_us, cell_mm, joined_mm),
+                        metres_of(joined_mm)};
+  const auto legs = way_legs(module, decision, last, joined_mm);
+  if (!legs) return by_cells;
+  const Ending by_legs{of_legs(*legs, joined_mm), metres_of(joined_mm + legs->led_in_mm), legs};
+  return by_legs.seconds < by_cells.seconds ? by_legs : by_cells;
+}
+
 // Over cells; it begins where it stands, beside the centre of one.
 std::optional<Ending> by_cells(const sema::RobotKind& kind, const ir::Module& module,
                                const ir::Decision& decision, const ir::Recovery& last) {
@@ -449,15 +490,14 @@ std::optional<Ending> by_cells(const sema::RobotKind& kind, const ir::Module& mo
     const auto seconds = carried_seconds(kind, speed, decision.period_us, cell_mm, joined_mm);
     return seconds ? std::optional(Ending{*seconds, metres_of(joined_mm)}) : std::nullopt;
   }
-  const auto leg_mm = straight_mm(module, decision, last);
-  Ending end{leg_mm ? leg_seconds(kind, speed, decision.period_us, *leg_mm)
-                    : travel_seconds(kind, speed, decision.period_us, cell_mm, joined_mm),
-             metres_of(leg_mm ? *leg_mm : joined_mm)};
+  Ending end = in_the_plane(kind, module, decision, last, joined_mm);
   if (last.kind == ir::RecoveryKind::route) return end;
   // the last leg goes straight on
   const Rational slowest = speed - lasting_speed(kind, decision.period_us);
   const Rational past = metres_of(run_out_mm(kind, speed, decision.period_us));
-  return Ending{end.seconds + past / slowest, end.metres + past};
+  end.seconds += past / slowest;
+  end.metres += past;
+  return end;
 }
 
 // For so long it drives at its speed, which errors and pushes make no greater than that.

@@ -59,12 +59,23 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
 std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last);
 
+// The legs of a retreat, if they are counted.
+struct Legs {
+  int count = 1;  // of its way, that to its first cell included
+  int looks = 1;  // for a way: who is seen with less than its body takes is led in first,
+  std::int64_t led_in_mm = 0;  // by one more leg, which adds no more than this
+};
+// Of its way over cells, `way_mm` long, if that is one piece; none: as many as it has cells.
+std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decision,
+                             const ir::Recovery& last, std::int64_t way_mm);
+
 // Upper bounds of the time from taking over until control is given back, as long as no other robot
 // is near and nothing else keeps it (braking, looking, driving, dwelling), and of how far it drives
 // meanwhile, in m: to where its way begins, along that, past where control is given back, and
 // before that and after it as it waits. none: there is no bound.
 struct Ending {
   Rational seconds, metres;
+  std::optional<Legs> legs = {};  // that it is reckoned with; none: as many as cells
 };
 std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& module,
                                 const ir::Decision& decision, const ir::Recovery& recovery);

@@ -280,15 +280,14 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
   return metres / slowest + legs * leg.seconds + turning + rests_seconds(kind, period, stops);
 }
 
-// It rests before it sets out, and at its end.
-Rational leg_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
-                     std::int64_t distance_mm) {
+Rational few_legs_seconds(const sema::RobotKind& kind, const Rational& speed,
+                          std::int64_t period_us, int legs, int rests, std::int64_t distance_mm) {
   const Rational period = seconds_of(period_us);
   const Rational lasting = lasting_speed(kind, period_us);
   const Leg leg = leg_of(kind, speed, lasting, period);
   const Rational turning = 4 * Rational(7854, 10000) * leg.turn_s_per_rad;
-  return Rational(distance_mm, 1000) / (speed - lasting) + leg.seconds + turning +
-         rests_seconds(kind, period, 2);
+  return Rational(distance_mm, 1000) / (speed - lasting) + legs * (leg.seconds + turning) +
+         rests_seconds(kind, period, rests);
 }
 
 Rational follows_up_to(const sema::RobotKind& kind, std::int64_t period_us) {

@@ -61,9 +61,10 @@ std::int64_t end_reach_mm(const sema::RobotKind& kind, std::int64_t period_us);
 // cells is driven at the recovery's `speed`, in s. `period_us`: of the decision.
 Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
                         std::int32_t cell_mm, std::int64_t distance_mm);
-// The same of a way that is one leg, from where it stands on; which begins with half a circle.
-Rational leg_seconds(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
-                     std::int64_t distance_mm);
+// The same of so many legs, each of which may begin with half a circle, and rests: what comes
+// before it sets out is one, and the end another.
+Rational few_legs_seconds(const sema::RobotKind& kind, const Rational& speed,
+                          std::int64_t period_us, int legs, int rests, std::int64_t distance_mm);
 // At most how fast a hold may be carried, in m/s, for a robot in space to follow it: what its
 // spring asks for beside errors stays within what pushes leave of the brake. Beyond, it falls
 // behind, and drives past the ends of its legs, faster than its hold.

@@ -10,6 +10,7 @@
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/recheck/travel.h"
+#include "compiler/recheck/way_legs.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -140,6 +141,45 @@ bool takes_legs(const geometry::Region& zone, const Said& said, const sema::Robo
          legs_lead(zone, said.cells, kind.radius.value, said.back, aim, leg);
 }
 
+// What one aims at, from where control is given back on.
+std::vector<Rational> aims_of(const Said& said, const sema::Template& last) {
+  std::vector<Rational> aims{said.back, said.aim};
+  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + to_circle);
+  return aims;
+}
+
+// Legs that are counted; who may be seen with less than its body takes is led in by one more.
+struct Legs {
+  int count, looks;
+  Rational led_in;
+};
+std::optional<Legs> legs_of(const geometry::Region& zone, const Said& said, const Rational& keeps,
+                            const sema::RobotKind& kind, const sema::Template& last,
+                            const Values& v) {
+  const auto count = number(v, "legs"), led_in_mm = number(v, "led_in_mm");
+  const bool goes_back =
+      std::holds_alternative<sema::Retreat>(last) || std::holds_alternative<sema::Loiter>(last);
+  if (!goes_back || !count || !led_in_mm || *count < 1 || *led_in_mm < 0) return std::nullopt;
+  const std::vector<Rational> aims = aims_of(said, last);
+  const Rational& body = kind.radius.value;
+  const auto most = legs_of_ways(zone, said.cells, body, said.route, aims);
+  constexpr std::int64_t many = 1'000;
+  if (!most || *count > many || *count < std::int64_t(*most) + 1) return std::nullopt;
+  Legs legs{static_cast<int>(*count), 1, milli(*led_in_mm)};
+  const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const Rational kept = std::min(Rational(said.starts - body), keeps);
+  if (kept >= error) return legs;
+  // it may be seen off the zone, from where nothing bounds a leg
+  if (kept + body <= error) return std::nullopt;
+  const auto in =
+      leads_in_within(zone, said.cells, body + kept - error, body, said.route, said.back);
+  if (!in || std::max(in->first, said.route) > legs.led_in) return std::nullopt;
+  const Rational in_all = joined_way(said.way, milli(said.cells.cell_mm)) + legs.led_in;
+  if (std::max(in->all, aims.back()) > in_all) return std::nullopt;
+  legs.looks = 2;
+  return legs;
+}
+
 // Why one of the monitors that a recovery drives for may not let go where it has led.
 std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                           const sema::Monitor& monitor, const Rational& left, Rational& after) {
@@ -223,21 +263,32 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   const auto way = longest(*zone, *said, spec, steps.back());
   if (!way || *way > said->way) return wrong("its way may be longer");
   const sema::Controller& recovery = spec[*monitor.recover];
-  const auto leg = number(v, "leg_mm");
-  if (leg && !takes_legs(*zone, *said, kind, steps.back(), milli(*leg))) {
-    return wrong("it may take a way over cells, or a longer leg");
+  const Rational cell = milli(said->cells.cell_mm);
+  const auto ends_in = [&](const std::optional<Rational>& seconds,
+                           const std::optional<Rational>& metres) -> std::optional<Doubt> {
+    if (!metres || *metres > kind.energy->detour.value) {
+      return wrong("it drives further than `detour`");
+    }
+    if (!seconds || *seconds + after > held) return wrong("it may last longer");
+    return std::nullopt;
+  };
+  if (const auto leg = number(v, "leg_mm")) {
+    if (!takes_legs(*zone, *said, kind, steps.back(), milli(*leg))) {
+      return wrong("it may take a way over cells, or a longer leg");
+    }
+    return ends_in(leg_seconds(kind, decision, recovery, milli(*leg)),
+                   driven_metres(kind, decision, recovery, std::nullopt, milli(*leg), after));
   }
-  const auto cell = leg ? std::nullopt : std::optional(milli(said->cells.cell_mm));
-  const auto driven =
-      driven_metres(kind, decision, recovery, cell, leg ? milli(*leg) : said->way, after);
-  if (!driven || *driven > kind.energy->detour.value) {
-    return wrong("it drives further than `detour`");
+  if (!v.contains("legs")) {
+    return ends_in(return_seconds(kind, decision, recovery, cell, said->way),
+                   driven_metres(kind, decision, recovery, cell, said->way, after));
   }
-  const auto seconds =
-      leg ? leg_seconds(kind, decision, recovery, milli(*leg))
-          : return_seconds(kind, decision, recovery, milli(said->cells.cell_mm), said->way);
-  if (!seconds || *seconds + after > held) return wrong("it may last longer");
-  return std::nullopt;
+  const auto legs = legs_of(*zone, *said, most_gap(spec, decision), kind, steps.back(), v);
+  if (!legs) return wrong("its way may have more legs, or it may be led in first");
+  const Rational in_all = said->way + legs->led_in;
+  return ends_in(legs_seconds(kind, decision, recovery, cell, in_all, legs->count + legs->looks - 1,
+                              legs->looks),
+                 driven_metres(kind, decision, recovery, cell, in_all, after));
 }
 
 }  // namespace rtac::recheck

@@ -65,9 +65,9 @@ class Travel {
            (2 + cells / waypoints) * rest() + (1 + cells / waypoints) * hold_settles();
   }
   // Of few legs, each of which may begin with half a circle.
-  [[nodiscard]] Rational seconds_of_legs(const Rational& way, int legs) const {
-    return way / slowest() + legs * (leg() + 4 * eighth * turn_per_rad()) + 2 * rest() +
-           hold_settles();
+  [[nodiscard]] Rational seconds_of_legs(const Rational& way, int legs, int looks = 1) const {
+    return way / slowest() + legs * (leg() + 4 * eighth * turn_per_rad()) + (looks + 1) * rest() +
+           looks * hold_settles();
   }
   // It passes the place where control comes back at full speed, and stops behind it.
   [[nodiscard]] Rational run_out() const {
@@ -264,12 +264,11 @@ std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Deci
   return travel && !travel->has_wheels() ? std::optional(travel->beside()) : std::nullopt;
 }
 
-namespace {
-
-// From where it stands to the centre of a cell, and over those.
 Rational joined_way(const Rational& way, const Rational& cell) {
   return way + std::max(Rational(2, 5), Rational(2 * cell)) + cell;
 }
+
+namespace {
 
 // It is seen for 50 ms, and a period before and after (language rule 10).
 Rational seen_for(const sema::Decision& decision) {
@@ -311,6 +310,16 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
                                     : std::optional(travel->seconds(joined, cell));
   if (!driven) return std::nullopt;
   return *driven + around_seconds(*travel, decision, recovery, steps.back());
+}
+
+std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                     const sema::Controller& recovery, const Rational& cell,
+                                     const Rational& way, int legs, int looks) {
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  const auto travel = travel_of(kind, decision, steps);
+  if (!travel || kind.in_space || legs > waypoints) return std::nullopt;
+  return travel->seconds_of_legs(joined_way(way, cell), legs, looks) +
+         around_seconds(*travel, decision, recovery, steps.back());
 }
 
 std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,

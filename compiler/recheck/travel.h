@@ -8,6 +8,8 @@
 
 namespace rtac::recheck {
 
+// From where it stands to the centre of a cell, and over those.
+Rational joined_way(const Rational& way, const Rational& cell);
 // From taking over at full speed until control is given back, at most, when the way over cells of
 // `cell` is `way`. nullopt: it does not get on against what pushes it.
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
@@ -16,6 +18,10 @@ std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::
 // The same of a retreat that takes one leg, no longer than `leg`.
 std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                     const sema::Controller& recovery, const Rational& leg);
+// The same of one along a way that has so many legs, and is looked for so often.
+std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                     const sema::Controller& recovery, const Rational& cell,
+                                     const Rational& way, int legs, int looks);
 // How far it drives for that, past where control is given back, and in the steps before and as long
 // as it circles afterwards, `after` the condition of return needs: along a way over cells of `cell`
 // which begins beside it, or a leg.

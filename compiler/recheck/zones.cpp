@@ -5,29 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "compiler/geometry/bake.h"
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/joining.h"
+#include "compiler/recheck/on_grid.h"
 #include "compiler/recheck/straight.h"
 
 namespace rtac::recheck {
-namespace {
-
-// One ring, and no corner lies to the right of an edge.
-bool is_convex(const std::vector<geometry::Ring>& rings) {
-  if (rings.size() != 1) return false;
-  const geometry::Ring& ring = rings.front();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    for (const geometry::Point& p : ring) {
-      if ((b.x - a.x) * (p.y - a.y) < (b.y - a.y) * (p.x - a.x)) return false;
-    }
-  }
-  return true;
-}
-
-}  // namespace
-
 // A zone without a name is called by what it leaves out, or by its line, and a number where that is
 // taken.
 NamedZones::NamedZones(const sema::Spec& spec, const SourceManager& sources)
@@ -196,34 +179,6 @@ std::vector<std::size_t> goals_of(const Grid& grid, double goal,
   return goals;
 }
 
-// The outline that the robot has and its cells: on a grid of 1 mm, inside of the exact one, and
-// lengths in whole millimetres from below. What legs lose of the clearance, which is no more than
-// 2 mm where they lead straight to the end, is a matter of that outline. nullopt: there is none, or
-// the cells are not those of a zone of this size.
-struct OnGrid {
-  std::vector<Segment> edges;
-  Grid cells;
-  bool convex;
-};
-std::optional<OnGrid> on_grid(const geometry::Region& zone, const Cells& cells) {
-  const auto snapped = geometry::snap_inside(zone);
-  if (!snapped) return std::nullopt;
-  const geometry::Region region = geometry::to_region(*snapped);
-  if (region.empty() || !zone.contains(region)) return std::nullopt;
-  OnGrid found{segments_of(region), {}, is_convex(region.rings())};
-  std::optional<Grid> grid = grid_of(found.edges, cells);
-  if (!grid) return std::nullopt;
-  // its cells begin at its corner, to the millimetre
-  double left = found.edges[0].ax, low = found.edges[0].ay;
-  for (const Segment& s : found.edges) left = std::min(left, s.ax), low = std::min(low, s.ay);
-  if (std::abs(grid->x - left) > slack_m || std::abs(grid->y - low) > slack_m) return std::nullopt;
-  constexpr double hair_mm = 1e-6;  // a length of 0.3 m is no exact double
-  for (double& clearance : grid->clearance) {
-    if (clearance >= 0) clearance = std::floor((clearance + slack_m) * 1000 + hair_mm) / 1000;
-  }
-  found.cells = std::move(*grid);
-  return found;
-}
 // The least clearance along the best way from each cell; negative: there is none. From the goals
 // on: a cell is entered from one that asks for no more than it has. The clearest ways first, so
 // that each cell is reached with as much as it can be.

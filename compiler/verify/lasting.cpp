@@ -38,6 +38,10 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   if (const auto leg_mm = analysis::straight_mm(s.module, s.decision, last)) {
     claim.values["leg_mm"] = text(*leg_mm);
   }
+  if (end->legs) {
+    claim.values["legs"] = text(end->legs->count);
+    claim.values["led_in_mm"] = text(end->legs->led_in_mm);
+  }
   return claim;
 }
 

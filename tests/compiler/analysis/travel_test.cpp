@@ -183,12 +183,21 @@ template <class Output>
 void expect_priced(const RobotLimits& limits, double speed_mps) {
   for (const int cells : {1, 3, 12}) {
     const std::vector<Vec2> straight{{0.1 * cells, 0}};
-    for (const std::vector<Vec2>& way : {stairs(cells), straight}) {
-      EXPECT_LE(driven_s<Output>(limits, speed_mps, way),
-                priced_s(limits, speed_mps, length_m(way)))
-          << speed_mps << " m/s, " << cells << " cells, " << way.size() << " legs";
+    const std::vector<Vec2> back{{0.1 * cells, 0}, {0.1 * cells, 0.1}, {0, 0.1}, {0.05 * cells, 0}};
+    for (const std::vector<Vec2>& way : {stairs(cells), straight, back}) {
+      const auto legs = static_cast<int>(way.size());
+      const double driven = driven_s<Output>(limits, speed_mps, way);
+      if (&way != &back) {
+      }
+      EXPECT_LE(driven, priced_s(limits, speed_mps, length_m(way)))
+          << speed_mps << " m/s, " << cells << " cells, " << legs << " legs";
+      EXPECT_LE(driven, few_legs_seconds(kind_of(limits), milli(speed_mps), period_us, legs, 2,
+                                         std::lround(std::ceil(1000 * length_m(way))))
+                            .get_d())
+          << speed_mps << " m/s, " << cells << " cells, " << legs << " legs";
     }
-    const auto leg = leg_seconds(kind_of(limits), milli(speed_mps), period_us, 100 * cells);
+    const auto leg =
+        few_legs_seconds(kind_of(limits), milli(speed_mps), period_us, 1, 2, 100 * cells);
     EXPECT_LE(driven_s<Output>(limits, speed_mps, straight), leg.get_d())
         << speed_mps << " m/s, one leg of " << cells << " cells";
   }
@@ -300,7 +309,8 @@ TEST(Travel, TurnsEndWhateverErrorsShow) {
               << cells << " cells";
         }
         EXPECT_LE(misled_s(limits, speed_mps, straight),
-                  leg_seconds(kind_of(limits), milli(speed_mps), period_us, 100 * cells).get_d())
+                  few_legs_seconds(kind_of(limits), milli(speed_mps), period_us, 1, 2, 100 * cells)
+                      .get_d())
             << heading_rad << " rad, " << speed_mps << " m/s, one leg of " << cells << " cells";
       }
     }

@@ -211,7 +211,7 @@ TEST_F(Lasting, AnEndInSightTakesOneLeg) {
                              "rectangle (0 m, 0 m) to (8 m, 8 m) | "
                              "rectangle (8 m, 0 m) to (12 m, 70 cm)"),
                       "held <= 120 s", "held <= 600 s"),
-               "detour <= 2 m", "detour <= 9 m"));
+               "detour <= 2 m", "detour <= 11 m"));
   ASSERT_FALSE(claims_of(report_, "lasts")[0]->contains("leg_mm"));
   const Outcome sought = with_leg([](std::int64_t) { return 5'000; });
   EXPECT_EQ(sought.status, exit_violation);
@@ -243,6 +243,60 @@ TEST_F(Lasting, RunsEndWithinTheTimeOfALeg) {
       const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
       EXPECT_EQ(run.status, exit_clean) << zone << what << bound << run.out << run.err;
     }
+  }
+}
+
+// A hall with racks, in whose aisles no place is as clear as a retreat asks for: it searches for a
+// way, and the legs of that are few, whichever it finds. To be inside is kept without a margin, so
+// that one who is seen with less than its body takes is led in first.
+std::string aisles(const std::string& property) {
+  return edited(edited(edited(edited(carts(), "rectangle (0 m, 0 m) to (8 m, 8 m)",
+                                     "rectangle (0 m, 0 m) to (12 m, 9 m) - rectangle (4 m, "
+                                     "2 m) to (10 m, 4 m) - rectangle (4 m, 4.8 m) to (10 m, "
+                                     "7 m)"),
+                              "c inside yard;", property),
+                       "held <= 120 s", "held <= 90 s"),
+                "detour <= 2 m", "detour <= 12 m");
+}
+
+TEST_F(Lasting, TheLegsOfAWayAreCounted) {
+  for (const std::string property : {"clearance(c, yard) >= 2 cm;", "c inside yard;"}) {
+    prove(aisles(property));
+    const std::vector<Json*> claims = claims_of(report_, "lasts");
+    ASSERT_EQ(claims.size(), 1U);
+    ASSERT_TRUE(claims[0]->contains("legs")) << claims[0]->dump();
+    EXPECT_EQ((*claims[0])["led_in_mm"] == "0", property[1] == 'l') << claims[0]->dump();
+    EXPECT_EQ(rechecked().status, exit_clean);
+    for (const auto& [key, by] : {std::pair("legs", -1), std::pair("legs", -100),
+                                  std::pair("legs", 20), std::pair("led_in_mm", -150),
+                                  std::pair("led_in_mm", 20'000), std::pair("held_us", -1'000)}) {
+      Json report = report_;
+      for (Json* const c : claims_of(report, "lasts")) {
+        (*c)[key] = std::to_string(std::stoll((*c)[key].get<std::string>()) + by);
+      }
+      const Outcome o = with_report(report);
+      EXPECT_EQ(o.status, exit_violation) << key << " " << by << "\n" << o.out << o.err;
+    }
+  }
+}
+
+TEST_F(Lasting, RunsEndWithinTheTimeOfFewLegs) {
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  for (const char* const property : {"clearance(c, yard) >= 2 cm;", "c inside yard;"}) {
+    const Outcome o = verified(
+        edited(edited(edited(aisles(property), "fleet one, two : Cart", "fleet one : Cart"),
+                      "site  home(two) = (3 m, 5 m);\n", ""),
+               "priority walls > charged", "priority walls"),
+        {"--format", "json"});
+    const std::size_t at = o.out.find(" s in all");
+    ASSERT_NE(at, std::string::npos) << o.out;
+    const std::size_t from = o.out.rfind(' ', at - 1) + 1;
+    const std::string bound = o.out.substr(from, at - from);
+    EXPECT_LE(std::stod(bound), 90) << property;
+    write("s.json",
+          R"({"duration_s": 120, "runs": 30, "seed": 3, "return_within_s": )" + bound + "}");
+    const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json"});
+    EXPECT_EQ(run.status, exit_clean) << property << bound << run.out << run.err;
   }
 }
 
