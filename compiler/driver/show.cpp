@@ -8,6 +8,7 @@
 
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
+#include "compiler/driver/lock_up.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::driver {
@@ -73,6 +74,15 @@ Json place(const std::vector<std::int64_t>& mm) {
   return at;
 }
 
+Json starts_at(const verify::Start& start, const std::vector<std::string>& robots) {
+  Json all = Json::object();
+  all[robots.front()]["at"] = place(start.place_mm);
+  for (std::size_t i = 0; i < start.others_mm.size() && i + 1 < robots.size(); ++i) {
+    all[robots[i + 1]]["at"] = place(start.others_mm[i]);
+  }
+  return all;
+}
+
 // From where the recovery of one monitor leads to where another one is false.
 Json aimed_at_start(const Obligation& o, const verify::Start& start,
                     const std::vector<std::string>& robots) {
@@ -81,14 +91,27 @@ Json aimed_at_start(const Obligation& o, const verify::Start& start,
   there["about"] = o.monitor;
   there["runs"] = 12;  // as many as there are adversaries
   there["duration_s"] = 60;
-  Json& first = there["starts"][robots.front()];
-  first["at"] = place(start.place_mm);
+  there["starts"] = starts_at(start, robots);
   if (start.battery_ppm) {
-    first["battery"] = std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
+    there["starts"][robots.front()]["battery"] =
+        std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
   }
-  if (robots.size() > 1 && !start.other_mm.empty()) {
-    there["starts"][robots[1]]["at"] = place(start.other_mm);
-  }
+  return there;
+}
+
+// Robots that hold beside each other, measured as they are: who waits for whom is all there is to
+// it.
+Json aimed_at_lock_up(const Obligation& o, const verify::Start& start,
+                      const std::vector<std::string>& robots) {
+  constexpr int kept_s = 120;  // in which each of them has looked for a way ten times
+  Json there = Json::object();
+  there["about"] = o.monitor;
+  there["runs"] = 4;
+  there["adversary"] = "chase-fence";
+  there["noise"] = "none";
+  there["return_within_s"] = kept_s;
+  there["duration_s"] = kept_s + 1;
+  there["starts"] = starts_at(start, robots);
   return there;
 }
 
@@ -101,9 +124,13 @@ std::vector<Json> aimed_at(const Obligation& o, const std::vector<std::string>& 
   }
   // with each of the adversaries
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
+  std::vector<Json> all;
+  if (o.locked_within_mm) {
+    for (const verify::Start& start : o.starts) all.push_back(aimed_at_lock_up(o, start, robots));
+    return all;
+  }
   Json about = Json::object();
   if (!o.monitor.empty()) about["about"] = o.monitor;
-  std::vector<Json> all;
   if (about_return(o)) {
     // no recovery of a fleet that fits its field takes longer to begin
     constexpr std::int64_t begins_s = 30;
@@ -172,7 +199,7 @@ class Showing {
       const int status = simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown",
                                          "--core-s", std::to_string(attempt_core_s)},
                                         c_, table);
-      if (status == exit_violation) return keep(trace, o);
+      if (status == exit_violation && shows(trace, scenario, o)) return keep(trace, o);
       cut = cut || table.find("the time was up") != std::string::npos;
     }
     // nothing is claimed: the model may have runs that no robot has, and others keep to `held`
@@ -227,6 +254,12 @@ class Showing {
       }
     }
     return "";
+  }
+  // Of robots that wait for each other, only what nobody else has a part in.
+  static bool shows(const std::string& trace, const Json& scenario, const Obligation& o) {
+    if (!o.locked_within_mm) return true;
+    const auto run = read_file(trace);
+    return run && locks_up(*run, scenario["starts"].size(), *o.locked_within_mm);
   }
   // The run is shown, whether or not it can be kept: one of hours may be longer than what is read
   // again.

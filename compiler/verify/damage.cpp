@@ -10,6 +10,7 @@
 #include "compiler/analysis/ways_in.h"
 #include "compiler/ir/linear.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/centres.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -20,8 +21,6 @@ using analysis::outline::P;
 using geometry::Region;
 
 constexpr std::size_t starts_most = 4;
-// By which a property holds at the start: what a robot at rest may give way, measured badly.
-constexpr std::int64_t start_spare_mm = 15;
 // By which a battery is more than the charge of the way from there.
 constexpr std::int64_t spare_ppm = 2'000;
 
@@ -31,12 +30,12 @@ class Damage {
       : s_(s), driving_(s.decision.monitors[driving]), judged_(s.decision.monitors[judged]) {}
 
   std::vector<Start> run() {
-    const Region allowed = centres_of(judged_, 0);
+    const Region allowed = centres_of(s_, judged_, 0);
     Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
       if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
-      from = from.intersect(centres_of(m, start_spare_mm));
+      from = from.intersect(centres_of(s_, m, start_spare_mm));
     }
     std::vector<Start> all;
     for (const ir::Recovery* step : ir::steps_of(driving_.recovery)) {
@@ -74,29 +73,6 @@ class Damage {
   }
 
  private:
-  // Where the centre of a body is while the property holds, as far as zones are concerned.
-  [[nodiscard]] Region centres_of(const ir::Monitor& m, std::int64_t more_mm) const {
-    const auto& params = s_.decision.facts.params;
-    Region all = Region::everywhere();
-    const auto shrunk = [&](ir::ZoneIndex zone) {
-      std::int64_t mm = s_.decision.body.radius_mm + more_mm;
-      for (const analysis::Standoff& each : analysis::fence_standoffs(m.property, params)) {
-        if (each.zone == zone) mm = std::max(mm, s_.decision.body.radius_mm + more_mm + each.mm);
-      }
-      return analysis::within(s_.exact(zone), mm).value_or(s_.exact(zone));
-    };
-    for (const ir::ZoneIndex fence : analysis::fences_of(m.property, params)) {
-      if (!s_.module[fence].has_height()) all = all.intersect(shrunk(fence));
-    }
-    for (const analysis::Choice& choice : analysis::choices_of(m.property, params)) {
-      Region some;
-      for (const ir::ZoneIndex zone : choice) {
-        if (!s_.module[zone].has_height()) some = some.unite(shrunk(zone));
-      }
-      if (!some.empty()) all = all.intersect(some);
-    }
-    return all;
-  }
   // Outside of its zone, from where it makes straight for that, across what is not allowed.
   void straight_in(const ir::Recovery& step, const Region& from, const Region& allowed,
                    std::vector<Start>& all) const {
@@ -116,7 +92,7 @@ class Damage {
     const auto& params = s_.decision.facts.params;
     const bool of_places = !analysis::fences_of(driving_.property, params).empty() ||
                            !analysis::choices_of(driving_.property, params).empty();
-    return of_places ? centres_of(driving_, mm - s_.decision.body.radius_mm) : Region();
+    return of_places ? centres_of(s_, driving_, mm - s_.decision.body.radius_mm) : Region();
   }
   // The charge at a place with which its monitor engages there, as that does not look ahead of it.
   [[nodiscard]] std::optional<std::int64_t> just_enough(const ir::Recovery& route,
@@ -259,7 +235,7 @@ class Damage {
       if (away < 1 || away > 2 * double(start_spare_mm)) continue;  // on the edge of another zone
       const P other = middle + (double(gap_mm) / away) * (middle - border);
       if (!inside.contains(other)) continue;
-      all.push_back({in_mm(middle), in_mm(other)});
+      all.push_back({in_mm(middle), {in_mm(other)}});
     }
   }
   [[nodiscard]] static std::vector<std::int64_t> in_mm(P p) {

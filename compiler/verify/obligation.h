@@ -39,11 +39,11 @@ struct Claim {
   std::map<std::string, std::string> values;
 };
 
-// Where a robot stands at the start of a run that may show something, and a second one beside it.
+// Where a robot stands at the start of a run that may show something, and others beside it.
 struct Start {
-  std::vector<std::int64_t> place_mm;         // two coordinates, or three in space
-  std::vector<std::int64_t> other_mm{};       // empty: anywhere
-  std::optional<std::int64_t> battery_ppm{};  // of a full one
+  std::vector<std::int64_t> place_mm;                  // two coordinates, or three in space
+  std::vector<std::vector<std::int64_t>> others_mm{};  // of the next robots; the rest: anywhere
+  std::optional<std::int64_t> battery_ppm{};           // of a full one
 };
 
 struct Obligation {
@@ -69,6 +69,9 @@ struct Obligation {
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;
+  // Of P2b, by a run: the robots of its start wait for each other, and no other one comes so near
+  // to one of them meanwhile.
+  std::optional<std::int64_t> locked_within_mm{};
   // Of P2b: how long a run waits for control, at least, before it counts as never given back.
   std::int64_t patience_s = 0;
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what

@@ -9,8 +9,9 @@
 namespace rtac::verify {
 namespace {
 
-// Robots that wait for each other: in which passage they cannot get round one that holds.
-std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
+// Robots that wait for each other: in which passage they cannot get round one that holds; "": none
+// is so narrow.
+std::string narrow_passage(const Subject& s, const ir::Recovery& yield) {
   const ir::ZoneTable& zone = s.module[yield.zone];
   // one that holds in the middle, and the other between it and a wall
   const std::int64_t need_mm = yield.pass_gap_mm + yield.route_clearance_mm;
@@ -20,11 +21,7 @@ std::string room_to_pass(const Subject& s, const ir::Recovery& yield) {
            metres(2 * std::int64_t{zone.widest_mm}) + " wide at most, and " + wide;
   }
   const auto narrow = analysis::passages(zone.cells, s.decision.body.radius_mm, need_mm);
-  if (narrow.empty()) {
-    return quoted(zone.name) +
-           " has no narrow passage, but that robots always find a way round each other is not "
-           "shown";
-  }
+  if (narrow.empty()) return "";
   const analysis::Stranded& worst = narrow.front();
   return "robots that meet near " + place(worst.x_mm, worst.y_mm) + " in " + quoted(zone.name) +
          " cannot get round each other: it is about " + metres(2 * worst.clearance_mm) +
@@ -105,6 +102,56 @@ std::string no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
   return "";
 }
 
+// What nothing is known of, but that a run may show robots which wait for each other for ever, from
+// one of `starts`.
+Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vector<Start> starts,
+                         Obligation o) {
+  if (starts.empty()) return o;
+  o.starts = std::move(starts);
+  // whoever drives farther off is in nobody's way (YieldManoeuvre)
+  o.locked_within_mm = 2 * yield.pass_gap_mm + 4 * s.decision.body.position_error_mm;
+  o.status = Status::refuted;
+  o.method = "robots that wait for each other";
+  o.by_a_run = true;
+  return o;
+}
+std::string may_lock(const std::vector<Start>& starts) {
+  const auto& [first, others, battery] = starts.front();
+  return "those that hold at " + place(first[0], first[1]) + " and beside it, at " +
+         place(others[0][0], others[0][1]) + ", may wait for each other for ever";
+}
+
+// Of more than two robots, which say `more`.
+Obligation of_many(const Subject& s, const ir::Recovery& yield, const std::string& more,
+                   Obligation o) {
+  std::vector<Start> starts = lock_ups(s, yield, nullptr);
+  const std::string narrow = narrow_passage(s, yield);
+  o.because = more;
+  if (!narrow.empty()) o.because += "; " + narrow;
+  if (!starts.empty()) o.because += "; " + may_lock(starts);
+  if (narrow.empty() && starts.empty()) {
+    o.because += "; " + quoted(s.module[yield.zone].name) +
+                 " has no narrow passage, but that robots always find a way round each other is "
+                 "not shown";
+  }
+  return unless_locked(s, yield, std::move(starts), std::move(o));
+}
+
+// Where another recovery may drive.
+Obligation beside(const Subject& s, const ir::Recovery& yield, const ir::Monitor& other,
+                  const std::string& more, const std::string& none, Obligation o) {
+  o.because = "where " + quoted(other.name) + " is engaged as well, " +
+              quoted(other.recovery.name) + " may drive, which makes no room for others";
+  const std::string& too = more.empty() ? none : more;
+  if (!more.empty()) o.because += "; " + more;
+  if (too.empty() && !s.decision.coordinated) {
+    o.repair = quoted(o.monitor) + " ranked above " + quoted(other.name) + "; or " + o.repair;
+  }
+  std::vector<Start> starts = lock_ups(s, yield, &other);
+  if (!starts.empty()) o.because += ": " + may_lock(starts);
+  return unless_locked(s, yield, std::move(starts), std::move(o));
+}
+
 }  // namespace
 
 Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
@@ -115,18 +162,13 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
   const std::string more = more_than_two(s, k);
+  const std::string none = more.empty() ? no_way(zone, yield, query) : "";
   if (const ir::Monitor* other = drives_instead(s.decision, k)) {
-    const std::string found = more.empty() ? no_way(zone, yield, query) : more;
-    o.because = "where " + quoted(other->name) + " is engaged as well, " +
-                quoted(other->recovery.name) + " may drive, which makes no room for others";
-    if (!more.empty()) o.because += "; " + more;
-    if (found.empty() && !s.decision.coordinated) {
-      o.repair = quoted(o.monitor) + " ranked above " + quoted(other->name) + "; or " + o.repair;
-    }
-    return o;
+    return beside(s, yield, *other, more, none, std::move(o));
   }
-  o.because = more.empty() ? no_way(zone, yield, query) : more + "; " + room_to_pass(s, yield);
-  if (!o.because.empty()) return o;
+  if (!more.empty()) return of_many(s, yield, more, std::move(o));
+  o.because = none;
+  if (!none.empty()) return o;
   o.status = Status::proved;
   o.method = "ways over cells";
   o.because = "of two robots that hold in " + quoted(zone.name) +

@@ -1,0 +1,142 @@
+// Where robots have to start so that a run shows how they wait for each other. Nothing is claimed
+// of these places: what is refuted is what a run shows.
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/analysis/outline.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/verify/centres.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+using analysis::outline::norm;
+using analysis::outline::Outline;
+using analysis::outline::P;
+
+// Of each kind: attempts to show it are few.
+constexpr std::size_t starts_most = 2;
+// A body is on the boundary of where it may start.
+constexpr double on_boundary_mm = 0.5;
+
+std::vector<std::int64_t> mm_of(P p) {
+  return {std::llround(p.x), std::llround(p.y)};
+}
+
+class LockUps {
+ public:
+  LockUps(const Subject& s, const ir::Recovery& yield)
+      : begins_(Outline::of(begins(s, yield))),
+        others_(static_cast<std::size_t>(s.decision.robots - 1)),
+        gap_mm_(double(analysis::standoffs_of(s.decision).separation_mm +
+                       2 * s.decision.body.radius_mm + start_spare_mm)) {}
+
+  // The first one in a corner, where it finds no way out, and the others in rows before it along
+  // both walls: so near to each other that none is let go while another one may move. The nearest
+  // to right angles first.
+  [[nodiscard]] std::vector<Start> in_corners() const {
+    constexpr double off_square_most = 0.5;  // of 60 degrees: else rows are nearer to each other
+    std::vector<std::pair<double, Start>> found;
+    for (const auto& [a, corner] : begins_.edges()) {
+      for (const auto& [c, d] : begins_.edges()) {
+        if (c.x != corner.x || c.y != corner.y) continue;
+        const P u = step_along(corner, a), v = step_along(corner, d);
+        const double off_square = std::abs(u.x * v.x + u.y * v.y) / (gap_mm_ * gap_mm_);
+        if (off_square > off_square_most || !begins_.contains(corner + 0.5 * (u + v))) continue;
+        Start start = in_rows(corner, {u, v});
+        if (start.others_mm.size() > 1) found.emplace_back(off_square, std::move(start));
+      }
+    }
+    return best(std::move(found));
+  }
+  // The first one at a wall, and the others in two rows before it, square to each other: along the
+  // wall it comes nearer to one of them.
+  [[nodiscard]] std::vector<Start> before_walls() const {
+    std::vector<std::pair<double, Start>> found;
+    for (const auto& [a, b] : begins_.edges()) {
+      const P along = std::sqrt(0.5) * step_along(a, b);
+      for (const P across : {P{along.y, -along.x}, P{-along.y, along.x}}) {
+        Start start = in_rows(0.5 * (a + b), {across + along, across - along});
+        if (start.others_mm.size() > 1) found.emplace_back(-norm(b - a), std::move(start));
+      }
+    }
+    return best(std::move(found));
+  }
+  // The first one at the middle of a wall, which it is led away from, and the others in a row
+  // before it. The longest walls first.
+  [[nodiscard]] std::vector<Start> at_walls() const {
+    std::vector<std::pair<double, Start>> found;
+    for (const auto& [a, b] : begins_.edges()) {
+      const P middle = 0.5 * (a + b), along = step_along(a, b);
+      for (const P across : {P{along.y, -along.x}, P{-along.y, along.x}}) {
+        if (!begins_.contains(middle + 0.5 * across)) continue;
+        Start start = in_rows(middle, {across});
+        if (!start.others_mm.empty()) found.emplace_back(-norm(b - a), std::move(start));
+      }
+    }
+    return best(std::move(found));
+  }
+
+ private:
+  // Where every property holds, and the recovery finds its way.
+  static geometry::Region begins(const Subject& s, const ir::Recovery& yield) {
+    const std::int64_t body_mm = s.decision.body.radius_mm + start_spare_mm;
+    const geometry::Region& zone = s.exact(yield.zone);
+    geometry::Region all = analysis::within(zone, body_mm).value_or(zone);
+    for (const ir::Monitor& m : s.decision.monitors) {
+      all = all.intersect(centres_of(s, m, start_spare_mm));
+    }
+    return all;
+  }
+  // From one place to another one, as far as two robots have to be from each other.
+  [[nodiscard]] P step_along(P from, P to) const {
+    return (gap_mm_ / norm(to - from)) * (to - from);
+  }
+  // As many of the others as there is room for, by turns in each row.
+  [[nodiscard]] Start in_rows(P first, const std::vector<P>& rows) const {
+    Start start{mm_of(first)};
+    while (start.others_mm.size() < others_) {
+      const std::size_t n = start.others_mm.size();
+      const std::size_t steps = 1 + n / rows.size();
+      const P next = first + double(steps) * rows[n % rows.size()];
+      if (begins_.clearance(next) < -on_boundary_mm) break;
+      start.others_mm.push_back(mm_of(next));
+    }
+    return start;
+  }
+  static std::vector<Start> best(std::vector<std::pair<double, Start>> found) {
+    std::ranges::stable_sort(found, {}, &std::pair<double, Start>::first);
+    std::vector<Start> all;
+    for (auto& [rank, start] : found) {
+      if (all.size() < starts_most) all.push_back(std::move(start));
+    }
+    return all;
+  }
+
+  const Outline begins_;
+  const std::size_t others_;
+  const double gap_mm_;  // between middles
+};
+
+}  // namespace
+
+std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
+                            const ir::Monitor* instead) {
+  std::vector<Start> all;
+  const bool may = !s.decision.body.in_space && !s.module[yield.zone].has_height();
+  if (!may || s.decision.robots < 2) return all;
+  const LockUps found(s, yield);
+  if (instead != nullptr && ir::moves(ir::last_step(instead->recovery).kind)) {
+    all = found.at_walls();
+  }
+  if (s.decision.robots > 2) {
+    for (const auto& starts : {found.in_corners(), found.before_walls()}) {
+      all.insert(all.end(), starts.begin(), starts.end());
+    }
+  }
+  return all;
+}
+
+}  // namespace rtac::verify
