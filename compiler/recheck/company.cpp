@@ -119,6 +119,23 @@ std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decis
   return most;
 }
 
+bool asks_agents_only(const sema::Expr& property) {
+  if (const auto* logic = std::get_if<sema::Logic>(&property.node)) {
+    return logic->op == sema::LogicOp::logical_and &&
+           std::ranges::all_of(logic->operands,
+                               [](const auto& each) { return asks_agents_only(*each); });
+  }
+  if (!std::holds_alternative<sema::Compare>(property.node)) return false;
+  bool only = true;
+  sema::for_each_expr(property, [&](const sema::Expr& part) {
+    only = only && (std::holds_alternative<sema::Compare>(part.node) ||
+                    std::holds_alternative<sema::Arithmetic>(part.node) ||
+                    std::holds_alternative<sema::Constant>(part.node) ||
+                    std::holds_alternative<sema::AgentDistance>(part.node));
+  });
+  return only;
+}
+
 double widest_apart(const geometry::Region& zone, double radius) {
   double left = 1e300, right = -1e300, low = 1e300, top = -1e300;
   if (!has_end(zone)) return std::numeric_limits<double>::infinity();

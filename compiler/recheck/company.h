@@ -14,6 +14,9 @@ namespace rtac::recheck {
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);
 
+// Whether it says nothing but distances to agents, which templates keep where they move (rule 9.8).
+bool asks_agents_only(const sema::Expr& property);
+
 // The largest distance to another robot that a property asks for at least, of each of them;
 // nullopt: it asks for none, or there is no other robot.
 std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decision& decision,

@@ -10,14 +10,18 @@
 #include <unordered_set>
 #include <vector>
 
+#include "compiler/recheck/at_worst.h"
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/legs.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/open_sides.h"
 #include "compiler/recheck/receding.h"
+#include "compiler/recheck/return_when.h"
 #include "compiler/recheck/squares.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
 namespace {
@@ -389,11 +393,23 @@ std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e) {
   return least_distance(spec, e);
 }
 
-// Whether no other recovery than that of `m` may drive where `m` is engaged.
-bool drives_alone(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
+// Whether what asks for a recovery that only stands are inputs and agents, wherever the robot is:
+// they let it go on.
+bool stands_while_told(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Monitor& m) {
+  const auto steps = sema::templates_of(spec[*m.recover]);
+  if (steps.size() != 1 || !std::holds_alternative<sema::BrakeAndHold>(steps.front())) return false;
+  const bool told = !sema::speaks_of_robot(*m.always) && !speaks_of_windows(*m.always);
+  return (told || asks_agents_only(*m.always)) && lets_go(spec, d, claims, m, 0);
+}
+// Whether no other recovery than that of `m` may drive where `m` is engaged, but for what is told
+// to stand.
+bool drives_alone(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                  const sema::Monitor& m) {
   for (const sema::MonitorId id : d.priority) {
     if (&spec[id] == &m && !d.coordinated) return true;
-    if (spec[id].recover != m.recover) return false;
+    if (spec[id].recover == m.recover) continue;
+    if (d.coordinated || !stands_while_told(spec, d, claims, spec[id])) return false;
   }
   return true;
 }
@@ -416,7 +432,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
   if (robots != 2 || kind.open_fleet || kind.in_space) return wrong("they are no two in the plane");
-  if (!drives_alone(spec, d, m)) return wrong("another recovery may drive instead");
+  if (!drives_alone(spec, d, claims, m)) return wrong("another recovery may drive instead");
   const auto asked = apart_by(spec, *m.always);
   if (!asked) return wrong("its property asks for more than a distance from other robots");
   const Numbers n = numbers_of(spec, d, jitter_of(spec, d));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/sema/templates.h"
@@ -96,23 +97,6 @@ class Turns {
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const { return spec_[d_.priority[k]]; }
   [[nodiscard]] const sema::Controller& recovery(std::size_t k) const {
     return spec_[*monitor(k).recover];
-  }
-  // Distances to agents, all of them, which templates keep where they move (rule 9.8).
-  static bool asks_agents_only(const sema::Expr& e) {
-    if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
-      return logic->op == sema::LogicOp::logical_and &&
-             std::ranges::all_of(logic->operands,
-                                 [](const auto& each) { return asks_agents_only(*each); });
-    }
-    if (!std::holds_alternative<sema::Compare>(e.node)) return false;
-    bool only = true;
-    sema::for_each_expr(e, [&](const sema::Expr& part) {
-      only = only && (std::holds_alternative<sema::Compare>(part.node) ||
-                      std::holds_alternative<sema::Arithmetic>(part.node) ||
-                      std::holds_alternative<sema::Constant>(part.node) ||
-                      std::holds_alternative<sema::AgentDistance>(part.node));
-    });
-    return only;
   }
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {

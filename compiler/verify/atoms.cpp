@@ -65,7 +65,23 @@ bool told_to_be(const ir::Block& block, ir::ValueId id, bool value) {
   return fact != nullptr && !fact->of_robot;
 }
 
+bool asks_agents_only(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return asks_agents_only(block, v->a) && asks_agents_only(block, v->b);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  return compare != nullptr &&
+         std::ranges::all_of(ir::linear_form(block, *compare).terms, [](const auto& term) {
+           return term.first.kind == ir::Leaf::Kind::agent;
+         });
+}
+
 }  // namespace
+
+bool asks_agents_only(const ir::Block& property) {
+  return asks_agents_only(property, property.result);
+}
 
 bool may_hold_by_inputs(const ir::Block& property) {
   return told_to_be(property, property.result, true);

@@ -28,6 +28,9 @@ Atoms atoms_of(const ir::Block& property);
 // tell.
 bool may_hold_by_inputs(const ir::Block& property);
 
+// Nothing but distances to agents, which every recovery of the module keeps where it moves.
+bool asks_agents_only(const ir::Block& property);
+
 // Names of compiler/verify/lemmas.
 std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
                                    const ir::Monitor& monitor);

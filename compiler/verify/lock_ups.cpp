@@ -128,7 +128,8 @@ std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
   const bool may = !s.decision.body.in_space && !s.module[yield.zone].has_height();
   if (!may || s.decision.robots < 2) return all;
   const LockUps found(s, yield);
-  if (instead != nullptr && ir::moves(ir::last_step(instead->recovery).kind)) {
+  // what is external is an attack in a run
+  if (instead != nullptr && instead->recovery.kind != ir::RecoveryKind::external) {
     all = found.at_walls();
   }
   if (s.decision.robots > 2) {

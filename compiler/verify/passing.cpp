@@ -4,6 +4,7 @@
 #include "compiler/geometry/parting.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -60,14 +61,39 @@ bool only_apart(const ir::Block& block, ir::ValueId id, const std::vector<ir::Pa
   return least && least->leaf.kind == ir::Leaf::Kind::distance;
 }
 
-// Another recovery that may drive in the place of that of monitor `k`: it makes no room, and tells
-// nobody that it cannot get away.
-const ir::Monitor* drives_instead(const ir::Decision& d, std::size_t k) {
+// What asks for a recovery that only stands are inputs and agents, wherever the robot is: they let
+// it go on.
+bool stands_while_told(const ir::Monitor& m) {
+  if (m.recovery.kind != ir::RecoveryKind::brake) return false;
+  if (m.return_when && m.returns.how == ir::Returns::How::open) return false;
+  const bool inputs = std::ranges::all_of(m.property.values, [](const ir::Value& v) {
+    const auto* fact = std::get_if<ir::Fact>(&v.op);
+    return (fact != nullptr && !fact->of_robot) || std::holds_alternative<ir::And>(v.op) ||
+           std::holds_alternative<ir::Or>(v.op) || std::holds_alternative<ir::Not>(v.op);
+  });
+  return inputs || asks_agents_only(m.property);
+}
+
+// Whose recoveries may drive in the place of that of monitor `k`. `other`: the first that makes no
+// room, and tells nobody that it cannot get away. `told`: those that only stand, while inputs or
+// agents ask for it.
+struct Instead {
+  const ir::Monitor* other = nullptr;
+  std::string told;
+};
+Instead drives_instead(const ir::Decision& d, std::size_t k) {
+  Instead found;
   const std::size_t many = d.coordinated ? d.monitors.size() : k;
   for (std::size_t i = 0; i < many; ++i) {
-    if (d.monitors[i].recovery.name != d.monitors[k].recovery.name) return &d.monitors[i];
+    const ir::Monitor& m = d.monitors[i];
+    if (m.recovery.name == d.monitors[k].recovery.name) continue;
+    if (!d.coordinated && stands_while_told(m)) {
+      found.told += (found.told.empty() ? "" : ", ") + quoted(m.name);
+    } else if (found.other == nullptr) {
+      found.other = &m;
+    }
   }
-  return nullptr;
+  return found;
 }
 
 // "": nothing else than the other one of two robots in the plane keeps control from coming back.
@@ -163,9 +189,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
   const std::string more = more_than_two(s, k);
   const std::string none = more.empty() ? no_way(zone, yield, query) : "";
-  if (const ir::Monitor* other = drives_instead(s.decision, k)) {
-    return beside(s, yield, *other, more, none, std::move(o));
-  }
+  const auto [other, told] = drives_instead(s.decision, k);
+  if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
   o.because = none;
   if (!none.empty()) return o;
@@ -174,7 +199,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.because = "of two robots that hold in " + quoted(zone.name) +
               " too near to each other one always finds a way, nowhere nearer to the other one, " +
               "to a distance of " + metres(yield.pass_gap_mm) +
-              "; it is given back, and the other " + "one as soon as nobody drives near it";
+              "; it is given back, and the other one as soon as nobody drives near it";
+  if (!told.empty()) o.because += "; both of it where inputs and agents let them go on: " + told;
   o.repair.clear();
   o.claims.push_back(with_cells({"parting",
                                  {{"decision", s.decision.name},

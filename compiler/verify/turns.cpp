@@ -178,18 +178,6 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
 
 namespace {
 
-// Nothing but distances to agents, which every recovery of the module keeps where it moves.
-bool asks_agents_only(const ir::Block& block, ir::ValueId id) {
-  const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return asks_agents_only(block, v->a) && asks_agents_only(block, v->b);
-  }
-  const auto* compare = std::get_if<ir::AtLeast>(&op);
-  return compare != nullptr &&
-         std::ranges::all_of(ir::linear_form(block, *compare).terms, [](const auto& term) {
-           return term.first.kind == ir::Leaf::Kind::agent;
-         });
-}
 // Of a pair that is coordinated: inputs and agents alone break it, and let go at some time. That is
 // no doing of another recovery than the one that is the answer to them.
 bool is_left_to_its_answer(const Subject& s, const analysis::Entry& entry, std::size_t i,
@@ -199,8 +187,7 @@ bool is_left_to_its_answer(const Subject& s, const analysis::Entry& entry, std::
   const Atoms atoms = atoms_of(says);
   if (atoms.only_facts() || atoms.only_speed()) return true;
   const auto steps = ir::steps_of(s.decision.monitors[i].recovery);
-  return asks_agents_only(says, says.result) &&
-         std::ranges::none_of(steps, [](const ir::Recovery* step) {
+  return asks_agents_only(says) && std::ranges::none_of(steps, [](const ir::Recovery* step) {
            return step->kind == ir::RecoveryKind::external;
          });
 }

@@ -302,6 +302,45 @@ TEST_F(MakingRoom, WhereAnotherRecoveryMayDriveNothingIsShown) {
         << again.out << again.err;
   }
 }
+// What stands because inputs or agents say so lets both go on when they do, whatever its rank: that
+// is no other recovery in the way. One that stands at a wall is.
+TEST_F(MakingRoom, WhoIsToldToStandIsInTheWayUntilItIsToldOtherwise) {
+  const auto beside = [](const std::string& says, const std::string& order = "priority") {
+    const std::string hall = halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)");
+    const bool stands = says.find("inside") != std::string::npos;
+    const std::string told =
+        "input stop : bool max_age 1 s;\n"
+        "agent person : radius 30 cm, speed <= 1 m/s error 2 cm max_age 300 ms;\n"
+        "controller halt : safe for Cart = brake_and_hold;\n"
+        "monitor told for r : Cart { \"R3: told\" always " +
+        says + "; recover halt; " + (stands ? "hold when violated \"a test\"; " : "") + "}\n";
+    return edited(edited(hall, "monitor apart", told + "monitor apart"), "priority apart",
+                  order + " told > apart");
+  };
+  const std::string people =
+      edited(beside("distance(r, person) >= 50 cm"), "period 100 ms;",
+             "period 100 ms; acknowledge halt may break told \"who walks up to it sees it\";");
+  for (const std::string& told : {beside("not stop"), people}) {
+    const Json found = room(told);
+    EXPECT_EQ(found["status"], "proved") << found;
+    EXPECT_NE(found.value("because", "").find("let them go on: `told`"), std::string::npos)
+        << found;
+    const Outcome again = recheck_sealed_anew();
+    EXPECT_NE(again.out.find(" 0 not proved"), std::string::npos) << again.out << again.err;
+  }
+  const std::string others[] = {beside("r inside floor"), beside("stop or r inside floor"),
+                                beside("not stop", "coordinate")};
+  for (const std::string& other : others) {
+    const std::string why = because(other);
+    EXPECT_NE(why.find("where `told` is engaged as well, `halt` may drive"), std::string::npos)
+        << why;
+    ASSERT_EQ(room(beside("not stop"))["status"], "proved");
+    write("certificates/sources/spec.rta", other);
+    const Outcome again = recheck_sealed_anew();
+    EXPECT_NE((again.out + again.err).find("another recovery may drive instead"), std::string::npos)
+        << again.out << again.err;
+  }
+}
 // That another order would do is said where it does, and not where nothing would be shown either.
 TEST_F(MakingRoom, TheOrderThatWorksIsOffered) {
   const auto repair = [&](const std::string& zone, const char* order) {
