@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
 #include "compiler/codegen/generate.h"
 #include "compiler/codegen/simulation.h"
@@ -98,6 +100,20 @@ std::vector<std::string> predictions(const ir::Module& module) {
   return {"--predicted", all};
 }
 
+// Who stands is not to blame for an agent that walks up to it, where that is accepted (6004).
+// Elsewhere it counts, at any speed: a run that shows what is refused has to violate something.
+std::string with_who_stands(const std::string& manifest, const ir::Module& module) {
+  constexpr double never_mps = -1;  // nobody is as slow
+  auto told = nlohmann::ordered_json::parse(manifest);
+  for (auto& decision : told["decisions"]) {
+    for (const ir::Decision& d : module.decisions) {
+      const bool accepted = analysis::unkept_agents(d).empty();
+      if (d.name == decision["name"] && !accepted) decision["rest_mps"] = never_mps;
+    }
+  }
+  return told.dump() + "\n";
+}
+
 // What the program has not understood, as it says itself: a line, after a tab what would work, and
 // perhaps after another one which diagnostic it is.
 int report_refusal(Compilation& c, const std::string& said, int status) {
@@ -128,8 +144,9 @@ int Simulator::build(const Options& options, Compilation& c) {
                   exit_inconclusive);
   }
   predicted_ = predictions(*c.module);
+  const std::string manifest = with_who_stands(told.manifest, *c.module);
   std::string problem = folder_.problem();
-  if (problem.empty()) problem = compile_kernel(options, c, told.manifest, folder());
+  if (problem.empty()) problem = compile_kernel(options, c, manifest, folder());
   if (problem == nothing_mutated) return refuse_mutant(options, c);
   if (problem.empty()) return exit_clean;
   return refuse(c, diag::Code::no_kernel, problem,
