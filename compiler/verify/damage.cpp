@@ -214,6 +214,8 @@ class Damage {
   [[nodiscard]] std::optional<double> far_from_judged(P p, const std::vector<Limit>& limits) const {
     const bool slow = atoms_of(judged_.property).speed;
     std::optional<double> far;
+    // it asks for it anywhere, or when it is told
+    if (slow && limits.empty()) far = 0;
     for (const Limit& limit : limits) {
       const double spare = limit.zone.clearance(p) - limit.mm;
       if (slow ? spare >= 0 : spare < double(start_spare_mm)) continue;
