@@ -50,6 +50,7 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--runs") return "`--runs 1000`";
   if (flag == "--jobs") return "`--jobs 4`";
   if (flag == "--simulate") return "`--simulate 20`";
+  if (flag == "--attack") return "`--attack 60`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
   if (flag == "--in") return "`--in main.rta`";
   return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
@@ -89,7 +90,7 @@ const std::vector<CommandInfo>& commands() {
        1},
       {"verify",
        Command::verify,
-       {"-o", "--recheck", "--conservatism", "--mutate", "--format", "-Werror"},
+       {"-o", "--recheck", "--conservatism", "--attack", "--mutate", "--format", "-Werror"},
        1},
       {"zones", Command::zones, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
       {"protocol", Command::protocol, {"-o", "--format", "-Werror", "--max-bytes"}, 1},
@@ -132,6 +133,7 @@ struct Parser {
             {"--in", &importer},
             {"--simulate", &options.simulated},
             {"--recheck", &options.recheck},
+            {"--attack", &options.attack_s},
             {"--mutate", &options.mutant}};
   }
   std::map<std::string, bool*> switches() {
@@ -169,8 +171,8 @@ struct Parser {
   }
   // `--runs -3`: a number that is wrong, and no flag.
   static bool is_below_zero(const std::string& flag, const std::string& value) {
-    constexpr std::string_view flags[] = {"--max-bytes", "--seed", "--runs", "--jobs",
-                                          "--simulate"};
+    constexpr std::string_view flags[] = {"--max-bytes", "--seed",     "--runs",
+                                          "--jobs",      "--simulate", "--attack"};
     return std::ranges::find(flags, flag) != std::end(flags) && value.size() > 1 &&
            std::isdigit(static_cast<unsigned char>(value[1])) != 0;
   }
@@ -225,6 +227,7 @@ struct Parser {
     number(options.runs, "--runs");
     number(options.jobs, "--jobs");
     number(options.simulated, "--simulate");
+    number(options.attack_s, "--attack");
     if (bytes_max.empty()) return;
     std::uint64_t bytes = 0;
     const char* const end = bytes_max.data() + bytes_max.size();
@@ -240,7 +243,7 @@ struct Parser {
     std::uint64_t value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, value);
-    const bool simulates = flag == "--runs" || flag == "--simulate";
+    const bool simulates = flag == "--runs" || flag == "--simulate" || flag == "--attack";
     if (error != std::errc() || stop != end) {
       problem = {"`" + text + "` is no number for `" + flag + "`", value_hint(flag)};
     } else if (simulates && value == 0) {
@@ -256,6 +259,7 @@ struct Parser {
                  "leave one of them out"};
     }
     const std::pair<const char*, bool> others[] = {{"-o", !options.output.empty()},
+                                                   {"--attack", !options.attack_s.empty()},
                                                    {"--conservatism", options.conservatism}};
     for (const auto& [flag, given] : others) {
       if (!given) continue;

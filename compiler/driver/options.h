@@ -56,6 +56,7 @@ struct Options {
   std::string recorded;       // a run that is played again
   std::string simulated;      // of `explain`: so many runs tell the share of advanced controllers
   std::string recheck;        // of `verify`: the directory of certificates
+  std::string attack_s;       // of `verify`: so long runs are sought that show what is refuted
   std::string mutant;         // of `build`, `sim` and measures: a deliberately unsound variant
   bool conservatism = false;  // of `verify`: measure it
   bool contracts = false;     // of `build`: the kernel with contracts, too

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -127,6 +128,16 @@ ProgramResult run_within(int seconds, std::vector<std::string> words, const std:
   const bool by_timeout = result.status == killed && steady_clock::now() >= deadline;
   result.timed_out = result.status == too_long || by_timeout;
   return result;
+}
+
+double core_seconds_of_children() {
+  constexpr double s_per_us = 1e-6;
+  struct rusage used {};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + s_per_us * static_cast<double>(t.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 std::string told(const std::string& written) {

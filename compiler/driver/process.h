@@ -40,6 +40,9 @@ inline constexpr const char* no_timeout =
     "no program is called `timeout` (`apt-get install coreutils`)";
 ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log);
 
+// Processor time that programs have taken which were started here and have ended.
+double core_seconds_of_children();
+
 // What to tell of what a program has written: the first line that says something, in characters
 // that control no terminal, and not more of it than anybody reads.
 std::string told(const std::string& written);

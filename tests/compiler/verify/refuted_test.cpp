@@ -3,6 +3,7 @@
 // in which control is not given back, or nothing is decided.
 #include <cstdlib>
 #include <set>
+#include <sstream>
 
 #include "tests/compiler/verify/testing.h"
 
@@ -191,6 +192,104 @@ TEST_F(Unrecorded, WhatIsShownAndTooLongToKeepIsNotCalledNotShown) {
       std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/too_late.rta";
   const Outcome o = rtac({"verify", path});
   EXPECT_NE(o.out.find("shown, not recorded: the run is too long"), std::string::npos) << o.out;
+}
+
+// How the time is spent in which runs are sought: a simulator that finds nothing, or what it is
+// told to, keeps a list of what it is asked for.
+class Attacks : public InFolder {
+ protected:
+  // Of a call: its `--core-s`, and the scenario.
+  struct Call {
+    int core_s;
+    Json scenario;
+  };
+  // `answer`: what the script does, which knows $core, $scenario and $trace.
+  static void play(const std::string& answer) {
+    write("sim.sh",
+          "#!/bin/sh\n"
+          "for word; do\n"
+          "  case $before in --core-s) core=$word;; --scenario) scenario=$word;;\n"
+          "    --trace) trace=$word;; esac\n"
+          "  before=$word\n"
+          "done\n"
+          "echo \"$core $(cat \"$scenario\")\" >> \"${0%/*}/calls\"\n" +
+              answer);
+    fs::permissions("sim.sh", fs::perms::owner_all);
+    ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
+  }
+  static std::vector<Call> calls() {
+    std::vector<Call> all;
+    std::istringstream lines(read("calls"));
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t gap = line.find(' ');
+      all.push_back({std::stoi(line.substr(0, gap)), Json::parse(line.substr(gap))});
+    }
+    return all;
+  }
+  static std::string refuted_spec(const std::string& name) {
+    return std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/" + name + ".rta";
+  }
+};
+// Processor time, as much as it may take.
+const char* const busy = "(ulimit -t \"$core\"; while :; do :; done)\n";
+const char* const nothing = "echo 'the time was up after 2 of 60 runs'\n";
+
+// The first seconds show most; who is cut goes on from the seed where it was.
+TEST_F(Attacks, GiveEachScenarioASecondBeforeOneGetsMore) {
+  play(nothing);
+  (void)rtac({"verify", refuted_spec("lower_rank"), "--attack", "60"});
+  const std::vector<Call> all = calls();
+  ASSERT_EQ(all.size() % 3, 0U);
+  const std::size_t scenarios = all.size() / 3;
+  ASSERT_GE(scenarios, 3U);
+  for (std::size_t k = 0; k < scenarios; ++k) {
+    const Call &first = all[k], &then = all[scenarios + k], &last = all[2 * scenarios + k];
+    EXPECT_EQ(first.core_s, 1);
+    EXPECT_EQ(then.core_s, 4);
+    EXPECT_GE(last.core_s, 50);
+    EXPECT_FALSE(first.scenario.contains("seed")) << first.scenario;
+    EXPECT_EQ(then.scenario["seed"], 3) << then.scenario;
+    EXPECT_EQ(last.scenario["seed"], 5) << last.scenario;
+    EXPECT_EQ(last.scenario["runs"], first.scenario["runs"].get<int>() - 4);
+  }
+}
+
+TEST_F(Attacks, EndWhenTheirTimeIsUp) {
+  play(std::string(busy) + nothing);
+  const Outcome o = rtac({"verify", refuted_spec("lower_rank"), "--attack", "2"});
+  EXPECT_LE(calls().size(), 3U);
+  EXPECT_NE(o.out.find("no run under attack has shown it until the time was up"), std::string::npos)
+      << o.out;
+  const Outcome none = rtac({"verify", refuted_spec("lower_rank"), "--attack", "0"});
+  EXPECT_EQ(none.status, exit_usage) << none.out;
+  EXPECT_NE(none.err.find("`--attack 0` simulates nothing"), std::string::npos) << none.err;
+}
+
+// What an argument refutes is sought first, and what nothing but a run refutes gets little more
+// when that is shown: P2a of both, and P2b of one of them for three seconds.
+TEST_F(Attacks, SeekWhatIsRefutedBeforeWhatMayBe) {
+  play("if ! grep -q return_within_s \"$scenario\"; then echo run > \"$trace\"; exit 3; fi\n" +
+       std::string(busy) + nothing);
+  write("both.rta", R"(spec both;
+zone room  = rectangle (0 m, 0 m) to (6 m, 6 m);
+zone porch = rectangle (0 m, -3 m) to (6 m, 0.25 m);
+)" + a_rover + R"(agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;
+controller to_porch : safe for Rover = retreat within porch speed 0.3 m/s;
+controller stop     : safe for Rover = brake_and_hold;
+monitor walls for r : Rover { "R1: in the room" always r inside room; recover to_porch; }
+monitor apart for r : Rover { "R2: off who walks" always distance(r, worker) >= 30 cm; recover stop; }
+decision fly for Rover { advanced drive; period 50 ms; priority walls > apart; }
+)");
+  const Outcome o = rtac({"verify", "both.rta"});
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  const std::vector<Call> all = calls();
+  ASSERT_GE(all.size(), 3U) << o.out << o.err;
+  EXPECT_LE(all.size(), 4U);
+  EXPECT_EQ(all[0].scenario["about"], "walls");
+  EXPECT_EQ(all[1].scenario["about"], "apart");
+  for (std::size_t k = 2; k < all.size(); ++k) {
+    EXPECT_TRUE(all[k].scenario.contains("return_within_s")) << all[k].scenario;
+  }
 }
 
 std::vector<std::string> names() {

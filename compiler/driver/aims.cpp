@@ -1,0 +1,150 @@
+#include "compiler/driver/aims.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtac::driver {
+namespace {
+
+using verify::Kind;
+using verify::Obligation;
+
+// What recoveries cost that take over from each other without end, or that wait for each other: the
+// charge that was to lead home. As long as a battery lasts that is only just enough.
+Scenario aimed_at_charge(const std::string& charge, int runs, int duration_s) {
+  Scenario drained = Scenario::object();
+  drained["about"] = charge;
+  drained["runs"] = runs;
+  drained["starts"] = "tight";
+  drained["duration_s"] = duration_s;
+  return drained;
+}
+
+// A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
+// batteries neither full nor empty. Who only pushes may do so beside a dock, which charges them.
+std::vector<Scenario> aimed_at_rest(const std::vector<std::string>& robots,
+                                    const std::string& charge) {
+  Scenario rests = Scenario::object();
+  rests["about"] = charge;
+  rests["duration_s"] = 3600;
+  for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
+  Scenario pushed = rests;
+  pushed["adversary"] = "push-at-fence";
+  pushed["runs"] = 6;
+  rests["runs"] = 12;  // as many as there are adversaries
+  return {std::move(pushed), std::move(rests)};
+}
+
+Scenario place(const std::vector<std::int64_t>& mm) {
+  constexpr double mm_per_m = 1000;
+  Scenario at = Scenario::array();
+  for (const std::int64_t each : mm) at.push_back(static_cast<double>(each) / mm_per_m);
+  return at;
+}
+
+Scenario starts_at(const verify::Start& start, const std::vector<std::string>& robots) {
+  Scenario all = Scenario::object();
+  all[robots.front()]["at"] = place(start.place_mm);
+  for (std::size_t i = 0; i < start.others_mm.size() && i + 1 < robots.size(); ++i) {
+    all[robots[i + 1]]["at"] = place(start.others_mm[i]);
+  }
+  return all;
+}
+
+// From where the recovery of one monitor leads to where another one is false.
+Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
+                        const std::vector<std::string>& robots) {
+  constexpr double full_ppm = 1e6;
+  Scenario there = Scenario::object();
+  there["about"] = o.monitor;
+  there["runs"] = 12;  // as many as there are adversaries
+  there["duration_s"] = 60;
+  there["starts"] = starts_at(start, robots);
+  if (start.battery_ppm) {
+    there["starts"][robots.front()]["battery"] =
+        std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
+  }
+  return there;
+}
+
+// Robots that hold beside each other, measured as they are: who waits for whom is all there is to
+// it.
+Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
+                          const std::vector<std::string>& robots) {
+  constexpr int kept_s = 120;  // in which each of them has looked for a way ten times
+  Scenario there = Scenario::object();
+  there["about"] = o.monitor;
+  there["runs"] = 4;
+  there["adversary"] = "chase-fence";
+  there["noise"] = "none";
+  there["return_within_s"] = kept_s;
+  there["duration_s"] = kept_s + 1;
+  there["starts"] = starts_at(start, robots);
+  return there;
+}
+
+}  // namespace
+
+bool about_return(const Obligation& o) {
+  return o.kind == Kind::p2b || o.kind == Kind::joint_return;
+}
+
+std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
+                               const std::string& charge) {
+  if (o.in_turns) {
+    if (charge.empty()) return {};
+    return {aimed_at_charge(charge, 20, 3600)};
+  }
+  // with each of the adversaries
+  if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
+  std::vector<Scenario> all;
+  if (o.locked_within_mm) {
+    for (const verify::Start& start : o.starts) all.push_back(aimed_at_lock_up(o, start, robots));
+    return all;
+  }
+  Scenario about = Scenario::object();
+  if (!o.monitor.empty()) about["about"] = o.monitor;
+  if (about_return(o)) {
+    // no recovery of a fleet that fits its field takes longer to begin
+    constexpr std::int64_t begins_s = 30;
+    const std::int64_t kept_s = o.patience_s + begins_s;
+    about["return_within_s"] = kept_s;
+    about["duration_s"] = 2 * kept_s + begins_s;
+    about["runs"] = 20;
+    if (o.place_mm) {
+      Scenario there = about;
+      there["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+      all.push_back(std::move(there));
+    }
+    for (const verify::Start& start : o.starts) {
+      Scenario there = about;
+      there["starts"][robots.front()]["at"] = place(start.place_mm);
+      all.push_back(std::move(there));
+    }
+    all.push_back(std::move(about));
+    return all;
+  }
+  Scenario anywhere = about, tight = std::move(about);
+  anywhere["runs"] = 60;
+  tight["runs"] = 20;
+  tight["starts"] = "tight";
+  tight["duration_s"] = 300;
+  Scenario deaf = tight, undecided = tight;
+  deaf["duration_s"] = 3600;  // until a recovery that waits for others has spent the charge
+  deaf["deaf_from_s"] = 5;
+  deaf["runs"] = 4;
+  for (const verify::Start& start : o.starts) all.push_back(aimed_at_start(o, start, robots));
+  all.push_back(std::move(anywhere));
+  all.push_back(std::move(tight));
+  if (o.kind == Kind::keeps && o.monitor == charge) {
+    for (Scenario& rests : aimed_at_rest(robots, charge)) all.push_back(std::move(rests));
+  }
+  if (robots.size() > 1) all.push_back(std::move(deaf));
+  if (o.kind != Kind::p1a) return all;
+  // its errors may be hidden by what other bounds have to spare
+  undecided["undecided"] = true;
+  undecided["duration_s"] = 1;
+  return {std::move(all.front()), std::move(undecided)};
+}
+
+}  // namespace rtac::driver

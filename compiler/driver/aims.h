@@ -1,0 +1,23 @@
+// Scenarios in which an attack would show what `rtac verify` has refuted.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "compiler/verify/obligation.h"
+
+namespace rtac::driver {
+
+// What `rtac-sim` reads (docs/simulation.md, scenarios).
+using Scenario = nlohmann::ordered_json;
+
+// The likeliest first. `robots`: of the decision, by name; `charge`: the monitor of it that speaks
+// of charge, "" if none does.
+std::vector<Scenario> aimed_at(const verify::Obligation& o, const std::vector<std::string>& robots,
+                               const std::string& charge);
+
+// It is about control that is not given back, and no violation.
+bool about_return(const verify::Obligation& o);
+
+}  // namespace rtac::driver
