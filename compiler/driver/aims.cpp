@@ -97,6 +97,8 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
   }
   // with each of the adversaries
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
+  // whoever keeps the other monitor engaged does so until the charge is gone
+  if (o.unending) return {aimed_at_charge(o.monitor, 20, 3600)};
   std::vector<Scenario> all;
   if (o.locked_within_mm) {
     for (const verify::Start& start : o.starts) all.push_back(aimed_at_lock_up(o, start, robots));

@@ -10,16 +10,6 @@
 namespace rtac::driver {
 namespace {
 
-std::string sum_of(std::string_view text) {
-  std::uint64_t sum = UINT64_C(0xcbf29ce484222325);
-  for (const char c : text) {
-    sum = (sum ^ static_cast<unsigned char>(c)) * UINT64_C(0x100000001b3);
-  }
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
-  return digits;
-}
-
 struct Seal {
   std::string sum, path;
 };
@@ -34,6 +24,16 @@ std::vector<Seal> seals_in(const std::string& folder) {
 }
 
 }  // namespace
+
+std::string sum_of(std::string_view text) {
+  std::uint64_t sum = UINT64_C(0xcbf29ce484222325);
+  for (const char c : text) {
+    sum = (sum ^ static_cast<unsigned char>(c)) * UINT64_C(0x100000001b3);
+  }
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(sum));
+  return digits;
+}
 
 std::string seals_of(std::vector<std::pair<std::string, std::string_view>> files) {
   std::sort(files.begin(), files.end());

@@ -12,6 +12,9 @@ namespace rtac::driver {
 
 inline constexpr const char* seals_name = "seals";
 
+// FNV-1a, 16 digits of a hexadecimal number.
+std::string sum_of(std::string_view text);
+
 // One line for each file of a folder, its FNV-1a sum and its path below the folder.
 std::string seals_of(std::vector<std::pair<std::string, std::string_view>> files);
 

@@ -150,9 +150,10 @@ class Showing {
     if (!write_all({{file, scenario.dump()}}).empty()) return std::nullopt;
     const double begin_s = core_seconds_of_children();
     std::string table;
-    const int status = simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown",
-                                       "--core-s", std::to_string(std::lround(most_s))},
-                                      c_, table);
+    const int status =
+        simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown", "--core-s",
+                        std::to_string(std::lround(most_s))},
+                       c_, table, sought.of->unending ? Agents::stand : Agents::as_declared);
     const double took_s = core_seconds_of_children() - begin_s;
     left_s_ -= took_s;
     if (shown_ > 0 && sought.rank() > 0) besides_s_ -= took_s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
@@ -19,6 +20,7 @@
 #include "compiler/driver/decision_engine.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
+#include "compiler/driver/seals.h"
 #include "compiler/driver/shared_object.h"
 #include "compiler/driver/sim_glue.h"
 
@@ -114,6 +116,20 @@ std::string with_who_stands(const std::string& manifest, const ir::Module& modul
   return told.dump() + "\n";
 }
 
+// The same specification, whose agents take no step.
+std::string with_agents_that_stand(const std::string& manifest) {
+  auto told = nlohmann::ordered_json::parse(manifest);
+  for (auto& decision : told["decisions"]) {
+    if (!decision.contains("agents")) continue;
+    for (auto& agent : decision["agents"]) agent["speed_mps"] = 0;
+  }
+  return told.dump() + "\n";
+}
+
+const char* manifest_of(Agents agents) {
+  return agents == Agents::stand ? "/standing.json" : "/simulation.json";
+}
+
 // What the program has not understood, as it says itself: a line, after a tab what would work, and
 // perhaps after another one which diagnostic it is.
 int report_refusal(Compilation& c, const std::string& said, int status) {
@@ -147,16 +163,28 @@ int Simulator::build(const Options& options, Compilation& c) {
   const std::string manifest = with_who_stands(told.manifest, *c.module);
   std::string problem = folder_.problem();
   if (problem.empty()) problem = compile_kernel(options, c, manifest, folder());
+  const std::string standing = with_agents_that_stand(manifest);
+  sum_where_they_stand_ = sum_of(standing);
+  if (problem.empty()) problem = write_all({{folder() + manifest_of(Agents::stand), standing}});
   if (problem == nothing_mutated) return refuse_mutant(options, c);
   if (problem.empty()) return exit_clean;
   return refuse(c, diag::Code::no_kernel, problem,
                 "set CC to a C compiler, TMPDIR to a folder that can be written", exit_usage);
 }
 
-int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::string& said) {
+Agents Simulator::agents_of(const std::string& trace) const {
+  constexpr int head_lines = 3;  // the manifest is named in the third one
+  std::ifstream in(trace);
+  std::string line;
+  for (int k = 0; k < head_lines; ++k) std::getline(in, line);
+  return line == "manifest " + sum_where_they_stand_ ? Agents::stand : Agents::as_declared;
+}
+
+int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::string& said,
+                   Agents agents) {
   const std::string out = folder() + "/said", wrong = folder() + "/wrong";
   std::vector<std::string> words{simulator(), "--kernel", folder() + "/kernel.so", "--manifest",
-                                 folder() + "/simulation.json"};
+                                 folder() + manifest_of(agents)};
   words.insert(words.end(), flags.begin(), flags.end());
   const ProgramResult result = run_program(words, out, wrong);
   if (!result.started) {
@@ -179,7 +207,7 @@ int simulate(const Options& options, Compilation& c, std::ostream& out) {
   std::vector<std::string> flags = flags_of(options);
   flags.insert(flags.end(), simulator.predicted().begin(), simulator.predicted().end());
   std::string said;
-  const int status = simulator.run(flags, c, said);
+  const int status = simulator.run(flags, c, said, simulator.agents_of(options.recorded));
   out << said;
   return status;
 }

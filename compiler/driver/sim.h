@@ -20,6 +20,10 @@ int simulate(const Options& options, Compilation& c, std::ostream& out);
 int simulate_shares(const std::string& runs, const Options& options, Compilation& c,
                     std::ostream& out);
 
+// How the agents of a run move: as the simulator has them, or not at all, which is none of the ways
+// that it has, and one that they are free to choose.
+enum class Agents { as_declared, stand };
+
 // The compiled decisions of a module, for as many calls of `rtac-sim` as it takes.
 class Simulator {
  public:
@@ -27,7 +31,10 @@ class Simulator {
   int build(const Options& options, Compilation& c);
   // Starts it with these flags besides. exit_clean and exit_violation: it did what it was asked
   // for; otherwise a diagnostic, or an internal error, says what is wrong.
-  int run(const std::vector<std::string>& flags, Compilation& c, std::string& said);
+  int run(const std::vector<std::string>& flags, Compilation& c, std::string& said,
+          Agents agents = Agents::as_declared);
+  // Those of a recorded run; as declared, too, where that is none.
+  [[nodiscard]] Agents agents_of(const std::string& trace) const;
   // What is predicted of the decisions, as flags of `rtac-sim`.
   [[nodiscard]] const std::vector<std::string>& predicted() const { return predicted_; }
   // Of its own, removed with the simulator.
@@ -36,6 +43,7 @@ class Simulator {
  private:
   TemporaryFolder folder_;
   std::vector<std::string> predicted_;
+  std::string sum_where_they_stand_;  // of the manifest
 };
 
 }  // namespace rtac::driver

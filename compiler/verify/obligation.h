@@ -77,6 +77,9 @@ struct Obligation {
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what
   // the property says; the likeliest first.
   std::vector<Start> starts{};
+  // Of `keeps`, refuted: inputs that stay as they are, or agents that stay where they are, have the
+  // recovery drive until the charge is gone.
+  bool unending = false;
   // Of `keeps`: the monitor that the recovery drives for, if it is one of inputs alone.
   std::string unmet{};
 };

@@ -619,16 +619,15 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
     o.by_a_run = false;
     o.because += "; whoever keeps " + quoted(i.name) +
                  " engaged for as long as a battery lasts makes " + quoted(j.name) + " fail";
-    o.not_shown = "inputs stay as they are in a run, and agents do not stay";
-    return o;
+    o.unending = true;
   }
   const bool of_inputs = atoms_of(i.property).only_facts();
   if (of_inputs) o.unmet = i.name;
+  if (o.unending) return o;
   if (!o.starts.empty() && inputs_decide(s, i, o.starts.front().place_mm)) {
     o.by_a_run = false;
     o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
                  ", its way leads out of what " + quoted(j.name) + " says";
-    if (!of_inputs) o.not_shown = "inputs stay as they are in a run";
   }
   return o;
 }
