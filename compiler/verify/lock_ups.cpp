@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/outline.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/standoffs.h"
@@ -21,14 +22,65 @@ constexpr std::size_t starts_most = 2;
 // A body is on the boundary of where it may start.
 constexpr double on_boundary_mm = 0.5;
 
-std::vector<std::int64_t> mm_of(P p) {
-  return {std::llround(p.x), std::llround(p.y)};
-}
+// Where robots in space start, at one height: where a zone with height is tallest, else in the
+// middle of what their properties allow, else at 1 m.
+class Level {
+ public:
+  explicit Level(const Subject& s) : s_(s) {
+    if (!s.decision.body.in_space) return;
+    const JointNeeds needs = joint_needs_of(s);
+    constexpr std::int64_t far_mm = 1'000'000, low_mm = 1000;
+    const bool bounded = needs.low_mm > -far_mm && needs.high_mm < far_mm;
+    z_mm_ = bounded ? (needs.low_mm + needs.high_mm) / 2
+                    : std::clamp(low_mm, needs.low_mm, needs.high_mm);
+    for (const ir::ZoneIndex fence : fences_with_height()) {
+      const auto& slabs = s.solid(fence).slabs();
+      if (slabs.empty()) continue;
+      const geometry::Slab& tallest = *std::ranges::max_element(
+          slabs, {},
+          [](const geometry::Slab& slab) { return Rational(slab.ceiling - slab.floor); });
+      z_mm_ = std::llround(500 * Rational(tallest.floor + tallest.ceiling).get_d());
+    }
+  }
+  // Where the zones with height leave room for a body, as far as it has a height.
+  [[nodiscard]] geometry::Region room(std::int64_t body_mm) const {
+    geometry::Region all = geometry::Region::everywhere();
+    if (!z_mm_) return all;
+    const Rational z(static_cast<long>(*z_mm_), 1000);
+    for (const ir::ZoneIndex fence : fences_with_height()) {
+      for (const geometry::Slab& slab : s_.solid(fence).slabs()) {
+        if (z < slab.floor || z >= slab.ceiling) continue;
+        all = all.intersect(analysis::within(slab.region, body_mm).value_or(slab.region));
+      }
+    }
+    return all;
+  }
+  [[nodiscard]] std::vector<std::int64_t> mm_of(P p) const {
+    std::vector<std::int64_t> place = {std::llround(p.x), std::llround(p.y)};
+    if (z_mm_) place.push_back(*z_mm_);
+    return place;
+  }
+
+ private:
+  [[nodiscard]] std::vector<ir::ZoneIndex> fences_with_height() const {
+    std::vector<ir::ZoneIndex> all;
+    for (const ir::Monitor& m : s_.decision.monitors) {
+      for (const ir::ZoneIndex fence : analysis::fences_of(m.property, s_.decision.facts.params)) {
+        if (s_.module[fence].has_height()) all.push_back(fence);
+      }
+    }
+    return all;
+  }
+
+  const Subject& s_;
+  std::optional<std::int64_t> z_mm_;
+};
 
 class LockUps {
  public:
   LockUps(const Subject& s, const ir::Recovery& yield)
-      : begins_(Outline::of(begins(s, yield))),
+      : level_(s),
+        begins_(Outline::of(begins(s, yield))),
         others_(static_cast<std::size_t>(s.decision.robots - 1)),
         gap_mm_(double(analysis::standoffs_of(s.decision).separation_mm +
                        2 * s.decision.body.radius_mm + start_spare_mm)) {}
@@ -81,14 +133,14 @@ class LockUps {
 
  private:
   // Where every property holds, and the recovery finds its way.
-  static geometry::Region begins(const Subject& s, const ir::Recovery& yield) {
+  [[nodiscard]] geometry::Region begins(const Subject& s, const ir::Recovery& yield) const {
     const std::int64_t body_mm = s.decision.body.radius_mm + start_spare_mm;
     const geometry::Region& zone = s.exact(yield.zone);
     geometry::Region all = analysis::within(zone, body_mm).value_or(zone);
     for (const ir::Monitor& m : s.decision.monitors) {
       all = all.intersect(centres_of(s, m, start_spare_mm));
     }
-    return all;
+    return all.intersect(level_.room(body_mm));
   }
   // From one place to another one, as far as two robots have to be from each other.
   [[nodiscard]] P step_along(P from, P to) const {
@@ -96,13 +148,13 @@ class LockUps {
   }
   // As many of the others as there is room for, by turns in each row.
   [[nodiscard]] Start in_rows(P first, const std::vector<P>& rows) const {
-    Start start{mm_of(first)};
+    Start start{level_.mm_of(first)};
     while (start.others_mm.size() < others_) {
       const std::size_t n = start.others_mm.size();
       const std::size_t steps = 1 + n / rows.size();
       const P next = first + double(steps) * rows[n % rows.size()];
       if (begins_.clearance(next) < -on_boundary_mm) break;
-      start.others_mm.push_back(mm_of(next));
+      start.others_mm.push_back(level_.mm_of(next));
     }
     return start;
   }
@@ -115,6 +167,7 @@ class LockUps {
     return all;
   }
 
+  const Level level_;
   const Outline begins_;
   const std::size_t others_;
   const double gap_mm_;  // between middles
@@ -125,8 +178,7 @@ class LockUps {
 std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
                             const ir::Monitor* instead) {
   std::vector<Start> all;
-  const bool may = !s.decision.body.in_space && !s.module[yield.zone].has_height();
-  if (!may || s.decision.robots < 2) return all;
+  if (s.decision.robots < 2) return all;
   const LockUps found(s, yield);
   // what is external is an attack in a run
   if (instead != nullptr && instead->recovery.kind != ir::RecoveryKind::external) {

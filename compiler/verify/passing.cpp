@@ -102,12 +102,12 @@ std::string more_than_two(const Subject& s, std::size_t k) {
   if (!only_apart(m.property, m.property.result, s.decision.facts.params)) {
     return quoted(m.name) + " asks for more than a distance from all other robots";
   }
-  if (s.decision.body.in_space) return "one robot may hold over the other, in a corner";
   if (s.decision.open_fleet) return "more robots may come";
   if (s.decision.robots != 2) {
     return "of " + std::to_string(s.decision.robots) +
            " robots one may hold in the way of two others";
   }
+  if (s.decision.body.in_space) return "one robot may hold over the other, in a corner";
   return "";
 }
 
