@@ -71,7 +71,7 @@ class Search {
         }
         const bool part = they_part(one, other);
         if (looks_ > looks_max) return {Parting::How::too_large, {}, {}};
-        if (!part) return {Parting::How::stuck, at(one), at(other)};
+        if (!part) return stuck_in(one, other);
         remember(one, other, i);
       }
     }
@@ -121,9 +121,9 @@ class Search {
   [[nodiscard]] double squared_off(int cell, Vec p) const {
     return squared(middle(cell).x - p.x) + squared(middle(cell).y - p.y);
   }
-  [[nodiscard]] GridPoint at(int cell) const {
-    const Vec m = middle(cell);
-    return {static_cast<std::int32_t>(m.x), static_cast<std::int32_t>(m.y)};
+  static GridPoint rounded(Vec p) {
+    return {static_cast<std::int32_t>(std::lround(p.x)),
+            static_cast<std::int32_t>(std::lround(p.y))};
   }
   // Ways lead over it.
   [[nodiscard]] bool is_clear(int cell) const { return clear_.at(column(cell), row(cell)); }
@@ -313,6 +313,53 @@ class Search {
         return they_part({one.cell, one.place, a}, {other.cell, other.place, b}, halvings - 1);
       });
     });
+  }
+
+  // Of the places in two cells that ways lead over from which both set out over the middles of
+  // these alone, and neither way leads on: those in the midst of all, where a little to either side
+  // makes no difference. Else the middles of the cells.
+  Parting stuck_in(int one, int other) {
+    std::vector<std::array<Vec, 2>> all;
+    const bool both_clear = is_clear(one) && is_clear(other);
+    const std::vector<Patch> places = both_clear ? places_in(one) : std::vector<Patch>{};
+    std::vector<Patch> others = both_clear ? places_in(other) : std::vector<Patch>{};
+    for (Patch a : places) {
+      for (Patch& b : others) {
+        const Box here = box_of(a.spot), there = box_of(b.spot);
+        const Box both{there.middle, here.half + there.half};
+        const bool near = !is_beyond(here.middle, both, query_.apart_mm);
+        const bool join = recedes(middle(one), here, there) && recedes(middle(other), there, here);
+        if (!near || !join) continue;
+        if (leads(one, {other, place(other), b}) || leads(other, {one, place(one), a})) continue;
+        all.push_back({here.middle, there.middle});
+      }
+    }
+    if (all.empty()) return {Parting::How::stuck, rounded(middle(one)), rounded(middle(other))};
+    std::array<Vec, 2> mean{};
+    for (const auto& pair : all) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        mean[i].x += pair[i].x / static_cast<double>(all.size());
+        mean[i].y += pair[i].y / static_cast<double>(all.size());
+      }
+    }
+    const auto& midst = *std::ranges::min_element(all, {}, [&](const std::array<Vec, 2>& pair) {
+      return squared(pair[0].x - mean[0].x) + squared(pair[0].y - mean[0].y) +
+             squared(pair[1].x - mean[1].x) + squared(pair[1].y - mean[1].y);
+    });
+    return {Parting::How::stuck, rounded(midst[0]), rounded(midst[1])};
+  }
+  // In rows, each of 1 mm.
+  [[nodiscard]] std::vector<Patch> places_in(int cell) const {
+    constexpr int each_way = 16;
+    const double apart = size_ / each_way;
+    const Vec m = middle(cell), first{m.x - (size_ - apart) / 2, m.y - (size_ - apart) / 2};
+    std::vector<Patch> all;
+    for (int row = 0; row < each_way; ++row) {
+      for (int column = 0; column < each_way; ++column) {
+        all.push_back(Patch{{first.x + column * apart, first.y + row * apart, 1, 0}, {}});
+      }
+    }
+    return all;
   }
 
   // From wherever the one stands in its patch, the search finds a way for it.

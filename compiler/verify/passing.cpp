@@ -111,21 +111,26 @@ std::string more_than_two(const Subject& s, std::size_t k) {
   return "";
 }
 
-// "": of two robots that hold one always finds a way.
-std::string no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
-                   const geometry::PartingQuery& query) {
+// Why of two robots that hold one may find no way, and from where; "": one always does.
+struct NoWay {
+  std::string why;
+  std::vector<Start> starts{};
+};
+NoWay no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
+             const geometry::PartingQuery& query) {
   const geometry::Parting found =
       geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
   if (found.how == geometry::Parting::How::too_large) {
-    return quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
-           "that one of two robots finds a way out of the other's is not shown";
+    return {quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
+            "that one of two robots finds a way out of the other's is not shown"};
   }
   if (found.how == geometry::Parting::How::stuck) {
-    return "robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-           " in " + quoted(zone.name) + " may both find no way to a distance of " +
-           metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one";
+    return {"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
+                " in " + quoted(zone.name) + " may both find no way to a distance of " +
+                metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one",
+            {Start{{found.one.x_mm, found.one.y_mm}, {{found.other.x_mm, found.other.y_mm}}}}};
   }
-  return "";
+  return {};
 }
 
 // What nothing is known of, but that a run may show robots which wait for each other for ever, from
@@ -165,10 +170,10 @@ Obligation of_many(const Subject& s, const ir::Recovery& yield, const std::strin
 
 // Where another recovery may drive.
 Obligation beside(const Subject& s, const ir::Recovery& yield, const ir::Monitor& other,
-                  const std::string& more, const std::string& none, Obligation o) {
+                  const std::string& more, const NoWay& none, Obligation o) {
   o.because = "where " + quoted(other.name) + " is engaged as well, " +
               quoted(other.recovery.name) + " may drive, which makes no room for others";
-  const std::string& too = more.empty() ? none : more;
+  const std::string& too = more.empty() ? none.why : more;
   if (!more.empty()) o.because += "; " + more;
   if (too.empty() && !s.decision.coordinated) {
     o.repair = quoted(o.monitor) + " ranked above " + quoted(other.name) + "; or " + o.repair;
@@ -188,12 +193,12 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s.decision.body, yield);
   const std::string more = more_than_two(s, k);
-  const std::string none = more.empty() ? no_way(zone, yield, query) : "";
+  NoWay none = more.empty() ? no_way(zone, yield, query) : NoWay{};
   const auto [other, told] = drives_instead(s.decision, k);
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
-  o.because = none;
-  if (!none.empty()) return o;
+  o.because = none.why;
+  if (!none.why.empty()) return unless_locked(s, yield, std::move(none.starts), std::move(o));
   o.status = Status::proved;
   o.method = "ways over cells";
   o.because = "of two robots that hold in " + quoted(zone.name) +
