@@ -20,21 +20,6 @@ Scenario aimed_at_charge(const std::string& charge, int runs, int duration_s) {
   return drained;
 }
 
-// A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
-// batteries neither full nor empty. Who only pushes may do so beside a dock, which charges them.
-std::vector<Scenario> aimed_at_rest(const std::vector<std::string>& robots,
-                                    const std::string& charge) {
-  Scenario rests = Scenario::object();
-  rests["about"] = charge;
-  rests["duration_s"] = 3600;
-  for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
-  Scenario pushed = rests;
-  pushed["adversary"] = "push-at-fence";
-  pushed["runs"] = 6;
-  rests["runs"] = 12;  // as many as there are adversaries
-  return {std::move(pushed), std::move(rests)};
-}
-
 Scenario place(const std::vector<std::int64_t>& mm) {
   constexpr double mm_per_m = 1000;
   Scenario at = Scenario::array();
@@ -49,6 +34,24 @@ Scenario starts_at(const verify::Start& start, const std::vector<std::string>& r
     all[robots[i + 1]]["at"] = place(start.others_mm[i]);
   }
   return all;
+}
+
+// A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
+// batteries neither full nor empty. Who only pushes may do so beside a dock, which charges them;
+// the first one begins where it is known that nobody is given back.
+std::vector<Scenario> aimed_at_rest(const Obligation& o, const std::vector<std::string>& robots) {
+  Scenario rests = Scenario::object();
+  rests["about"] = o.monitor;
+  rests["duration_s"] = 3600;
+  for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
+  if (o.place_mm) {
+    rests["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+  }
+  Scenario pushed = rests;
+  pushed["adversary"] = "push-at-fence";
+  pushed["runs"] = 6;
+  rests["runs"] = 12;  // as many as there are adversaries
+  return {std::move(pushed), std::move(rests)};
 }
 
 // From where the recovery of one monitor leads to where another one is false.
@@ -139,7 +142,7 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
   all.push_back(std::move(anywhere));
   all.push_back(std::move(tight));
   if (o.kind == Kind::keeps && o.monitor == charge) {
-    for (Scenario& rests : aimed_at_rest(robots, charge)) all.push_back(std::move(rests));
+    for (Scenario& rests : aimed_at_rest(o, robots)) all.push_back(std::move(rests));
   }
   if (robots.size() > 1) all.push_back(std::move(deaf));
   if (o.kind != Kind::p1a) return all;

@@ -65,7 +65,8 @@ struct Obligation {
   bool in_turns = false;
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
   bool declared = false;
-  // Of what is refuted: where a robot would be in trouble, in mm.
+  // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that
+  // leads nowhere from there.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;

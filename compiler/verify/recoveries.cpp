@@ -615,6 +615,7 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   // what inputs may ask for, nobody has to drive to
   o.by_a_run = !entry.while_told;
   o.starts = starts_of_damage(s, driving, judged);
+  o.place_mm = i.returns.stuck_mm;  // it waits there for ever
   if (entry.unending) {
     o.by_a_run = false;
     o.because += "; whoever keeps " + quoted(i.name) +
