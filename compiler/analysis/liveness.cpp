@@ -176,16 +176,21 @@ std::vector<bool> clear_cells(const ir::Cells& cells, std::int64_t least_mm) {
   for (const std::int32_t clearance : cells.clearance_mm_lo) goals.push_back(clearance >= least_mm);
   return goals;
 }
-std::vector<bool> site_cells(const ir::Module& module, const ir::Recovery& route,
-                             const ir::Cells& cells) {
-  std::vector<bool> goals(cells.clearance_mm_lo.size(), false);
-  for (const ir::SiteTable::Place& place : module[route.site].places) {
+// By place of the site, of those that are told apart: each robot has its own.
+std::vector<std::vector<bool>> site_cells(const ir::Module& module, const ir::Recovery& route,
+                                          const ir::Cells& cells) {
+  std::vector<std::vector<bool>> all;
+  const ir::SiteTable& site = module[route.site];
+  for (std::size_t robot = 0; robot < site.places.size(); ++robot) {
+    if (site.table_of(robot) != robot) continue;
+    std::vector<bool>& goals = all.emplace_back(cells.clearance_mm_lo.size(), false);
+    const ir::SiteTable::Place& place = site.places[robot];
     const std::int64_t column = (place.x_mm - cells.origin_x_mm) / cells.cell_mm;
     const std::int64_t row = (place.y_mm - cells.origin_y_mm) / cells.cell_mm;
     if (column < 0 || row < 0 || column >= cells.columns || row >= cells.rows) continue;
     goals[static_cast<std::size_t>(row * cells.columns + column)] = true;
   }
-  return goals;
+  return all;
 }
 
 // What the search finds over cells, without the legs that lead to them.
@@ -380,12 +385,31 @@ Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::R
 }
 namespace {
 
+// Of the ways to two goals those that are longer, and all from where there is none to one of them.
+void take_worse(OverCells& all, const OverCells& other) {
+  all.ways.longest_mm = std::max(*all.ways.longest_mm, *other.ways.longest_mm);
+  for (std::size_t at = 0; at < all.ways.lost.size(); ++at) {
+    all.ways.rest_mm[at] = std::max(all.ways.rest_mm[at], other.ways.rest_mm[at]);
+    all.ways.lost[at] = all.ways.lost[at] || other.ways.lost[at];
+    all.lost[0][at] = all.lost[0][at] || other.lost[0][at];
+    all.endless[0][at] = all.endless[0][at] || other.endless[0][at];
+  }
+}
+
 OverCells over_cells(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
                      const ir::Recovery& recovery) {
   const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
-    return over_cells(cells, site_cells(module, recovery, cells), body_mm, route_mm);
+    std::optional<OverCells> all;
+    for (const std::vector<bool>& site : site_cells(module, recovery, cells)) {
+      OverCells to_site = over_cells(cells, site, body_mm, route_mm);
+      if (all) take_worse(*all, to_site);
+      if (!all) all = std::move(to_site);
+    }
+    if (!all) return over_cells(cells, clear_cells(cells, unreached), body_mm, route_mm);
+    all->ways.stranded = parts_of(Grid(cells, route_mm), cells, all->ways.lost);
+    return std::move(*all);
   }
   const std::vector<std::int64_t> goals = goals_mm(decision, recovery);
   OverCells all = over_cells(cells, clear_cells(cells, goals.front()), body_mm, route_mm);

@@ -179,6 +179,14 @@ std::vector<std::size_t> goals_of(const Grid& grid, double goal,
   return goals;
 }
 
+// Each robot has a site of its own, to which the others' lead nobody.
+std::vector<std::vector<std::size_t>> ends_of(const Grid& grid, double goal,
+                                              const std::vector<geometry::Point>& sites) {
+  if (sites.empty()) return {goals_of(grid, goal, sites)};
+  std::set<std::vector<std::size_t>> apart;
+  for (const geometry::Point& site : sites) apart.insert(goals_of(grid, goal, {site}));
+  return {apart.begin(), apart.end()};
+}
 // The least clearance along the best way from each cell; negative: there is none. From the goals
 // on: a cell is entered from one that asks for no more than it has. The clearest ways first, so
 // that each cell is reached with as much as it can be.
@@ -219,6 +227,30 @@ std::vector<std::int64_t> climbs(const Grid& grid, std::vector<std::size_t> open
   return steps;
 }
 
+// To the one of these ends that is reached with the least clearance.
+std::vector<double> worst_reached(const Grid& grid,
+                                  const std::vector<std::vector<std::size_t>>& ends) {
+  std::vector<double> worst(grid.clearance.size(), 1e300);
+  for (const std::vector<std::size_t>& goals : ends) {
+    const std::vector<double> reached = best_ways(grid, goals);
+    for (std::size_t at = 0; at < worst.size(); ++at) worst[at] = std::min(worst[at], reached[at]);
+  }
+  return worst;
+}
+// And to the farthest one; negative: to one of them there is no such way.
+std::vector<std::int64_t> most_steps_of(const Grid& grid,
+                                        const std::vector<std::vector<std::size_t>>& ends,
+                                        double route) {
+  std::vector<std::int64_t> most(grid.clearance.size(), 0);
+  for (const std::vector<std::size_t>& goals : ends) {
+    const std::vector<std::int64_t> steps = climbs(grid, goals, route);
+    for (std::size_t at = 0; at < most.size(); ++at) {
+      most[at] = most[at] < 0 || steps[at] < 0 ? -1 : std::max(most[at], steps[at]);
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 std::variant<std::monostate, geometry::Point, BadCells> without_way(
@@ -228,7 +260,7 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
   if (!found) return BadCells{};
   const Grid& grid = found->cells;
   const double route = route_m.get_d(), body = body_m.get_d(), goal = goal_m.get_d();
-  const auto reached = best_ways(grid, goals_of(grid, goal, sites));
+  const std::vector<double> reached = worst_reached(grid, ends_of(grid, goal, sites));
   Straight straight(found->edges, grid, body_m.get_d(), found->convex);
   JoiningLimits limits{body_m.get_d(),
                        route,
@@ -273,9 +305,9 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
   if (!found) return std::nullopt;
   const Grid& grid = found->cells;
   const double route = route_m.get_d(), body = body_m.get_d(), goal = goal_m.get_d();
-  const auto goals = goals_of(grid, goal, sites);
-  const auto reached = best_ways(grid, goals);
-  const auto steps = climbs(grid, goals, route);
+  const auto ends = ends_of(grid, goal, sites);
+  const std::vector<double> reached = worst_reached(grid, ends);
+  const std::vector<std::int64_t> steps = most_steps_of(grid, ends, route);
   Straight straight(found->edges, grid, body_m.get_d(), found->convex);
   std::vector<double> rest(steps.size(), 0);
   JoiningLimits limits{body_m.get_d(), route, sites.empty(), goal, reach_of(grid), {}, {}};

@@ -400,5 +400,43 @@ TEST(LongestWay, HasNoEndWhereNoneLeadsBack) {
   EXPECT_TRUE(longest(true).has_value());
 }
 
+// Each robot has a site of its own: that of another one ends no way, however near it is.
+TEST(LongestWay, LeadsToEachSite) {
+  const auto hall = geometry::Region::of_rings({{{0, 0}, {9, 0}, {9, 4}, {0, 4}}});
+  const auto island = geometry::Region::of_rings({{{10, 0}, {14, 0}, {14, 4}, {10, 4}}});
+  const recheck::Cells cells{100, 0, 0};
+  const Rational body(1, 10), route(19, 100);
+  const geometry::Point west{1, 2}, east{8, 2}, beyond{12, 2};
+  const auto longest = [&](const geometry::Region& zone, const geometry::Point& other) {
+    return recheck::longest_way(zone, cells, body, route, 1, {west, other});
+  };
+  const auto both = longest(hall, east), one = longest(hall, west);
+  ASSERT_TRUE(both && one);
+  EXPECT_GE(*one, 9);
+  EXPECT_GE(*both, *one);
+  const geometry::Region apart = hall.unite(island);
+  EXPECT_EQ(longest(apart, beyond), std::nullopt);
+  const auto leads = [&](const geometry::Region& zone, const geometry::Point& other) {
+    return recheck::without_way(zone, cells, body, route, 1, {west, other}).index() == 0;
+  };
+  EXPECT_TRUE(leads(hall, east));
+  EXPECT_FALSE(leads(apart, beyond));
+}
+
+TEST_F(Lasting, TheSiteOfAnotherRobotIsNoPlaceToComeTo) {
+  const std::string rooms =
+      edited(edited(carts(), "rectangle (0 m, 0 m) to (8 m, 8 m)",
+                    "rectangle (0 m, 0 m) to (8 m, 8 m) | rectangle (10 m, 0 m) to (18 m, 8 m)"),
+             "always c inside yard; recover inwards", "always c inside yard; recover go_home");
+  const auto judged = [](const std::string& text) {
+    return statuses(verified(text, {"--format", "json"}).out, "P2b", "walls");
+  };
+  const std::string alone = edited(rooms, "priority walls > charged", "priority walls");
+  EXPECT_NE(judged(edited(alone, "home(two) = (3 m, 5 m)", "home(two) = (13 m, 5 m)")),
+            Statuses{"proved"});
+  EXPECT_EQ(judged(edited(alone, " | rectangle (10 m, 0 m) to (18 m, 8 m)", "")),
+            Statuses{"proved"});
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
