@@ -77,10 +77,11 @@ std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
                 const ExactSolid& solid);
 
-// The errors of the specification with a change of one of its decisions, and whether a monitor
-// waits there for a return condition that may never come about.
+// The errors of the specification with a change of one of its decisions, what is not shown of it,
+// and whether a monitor waits there for a return condition that may never come about.
 struct Tried {
   std::vector<diag::Diagnostic> errors;
+  Faults left{};
   bool waits = false;
 };
 using Try = std::function<Tried(std::size_t decision, const Change&)>;

@@ -154,12 +154,13 @@ class Report {
     }
     return "";
   }
-  // Nothing is wrong with it then that is not wrong now, this is not, and of another order nobody
-  // waits above others for what may never come about.
+  // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
+  // and of another order nobody waits above others for what may never come about.
   [[nodiscard]] bool works(const Change& change, const std::vector<diag::Diagnostic>& found,
                            std::size_t at) const {
     const Tried tried = attempt_(n_, change);
     if (!change.order.empty() && tried.waits) return false;
+    if (trials_ != nullptr && !trials_->shows_no_less(tried.left)) return false;
     const auto same = [](const diag::Diagnostic& a, const diag::Diagnostic& b) {
       return a.code == b.code && a.range && b.range && a.range->file == b.range->file &&
              a.range->begin == b.range->begin;

@@ -51,13 +51,26 @@ std::uint32_t index(auto id) {
 class Deriver {
  public:
   // `spec` is changed while offers are tried, and then as it was.
-  Deriver(sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics,
+  Deriver(sema::Spec& spec, const SourceManager& sources, diag::Engine& diagnostics, Judge judge,
           bool offers = true, std::shared_ptr<const EvaluatedZones> zones = nullptr)
       : spec_(spec),
         sources_(sources),
         diagnostics_(diagnostics),
+        judge_(std::move(judge)),
         offers_(offers),
         evaluated_(std::move(zones)) {}
+
+  static Faults faults(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
+                       const Trials::Worth& worth,
+                       std::shared_ptr<const EvaluatedZones> zones = nullptr) {
+    diag::Engine aside;
+    auto derived = Deriver(spec, sources, aside, {}, false, std::move(zones)).run(Finding::is_told);
+    Faults found = faults_of(aside);
+    if (!judge) return found;
+    found.complete = derived && worth(found);
+    if (found.complete) found.all.merge(judge(spec, std::move(*derived), aside));
+    return found;
+  }
 
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
@@ -123,7 +136,9 @@ class Deriver {
     if (change.held) kind.energy->held.value = *change.held;
     if (change.detour) kind.energy->detour.value = *change.detour;
     diag::Engine aside;
-    const auto derived = Deriver(spec_, sources_, aside, false).run(Finding::is_told);
+    auto derived = Deriver(spec_, sources_, aside, {}, false).run(Finding::is_told);
+    found.waits = !derived || waits(derived->module.decisions[n]);
+    if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside);
     decision.priority = order;
     kind.energy = energy;
     for (std::size_t k = 0; k < returns.size(); ++k) {
@@ -132,7 +147,6 @@ class Deriver {
     for (const diag::Diagnostic& d : aside.all()) {
       if (diag::info(d.code).severity == diag::Severity::error) found.errors.push_back(d);
     }
-    found.waits = !derived || waits(derived->module.decisions[n]);
     return found;
   }
   // For numbers to be tried in, too; none in what is tried itself.
@@ -585,14 +599,12 @@ class Deriver {
   sema::Spec& spec_;
   const SourceManager& sources_;
   diag::Engine& diagnostics_;
+  const Judge judge_;
   const bool offers_;  // false: this one is tried itself
   // Shared with what is tried: to evaluate them takes the longest.
   std::shared_ptr<const EvaluatedZones> evaluated_;
-  Trials trials_{spec_, [this](bool same_zones) {
-                   diag::Engine aside;
-                   const auto zones = same_zones ? evaluated_ : nullptr;
-                   Deriver(spec_, sources_, aside, false, zones).run(Finding::is_told);
-                   return faults_of(aside);
+  Trials trials_{spec_, [this](bool same_zones, const Trials::Worth& worth) {
+                   return faults(spec_, sources_, judge_, worth, same_zones ? evaluated_ : nullptr);
                  }};
   Derived out_;
   const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {
@@ -603,8 +615,13 @@ class Deriver {
 }  // namespace
 
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
-                              diag::Engine& diagnostics, Finding finding) {
-  return Deriver(spec, sources, diagnostics).run(finding);
+                              diag::Engine& diagnostics, Finding finding, const Judge& judge) {
+  return Deriver(spec, sources, diagnostics, judge).run(finding);
+}
+
+Faults faults_with(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
+                   const Trials::Worth& worth) {
+  return Deriver::faults(spec, sources, judge, worth);
 }
 
 }  // namespace rtac::analysis

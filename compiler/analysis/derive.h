@@ -2,9 +2,12 @@
 // blocks, clearances; and the checks that these numbers work out.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <set>
 
 #include "compiler/analysis/share.h"
+#include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
@@ -19,11 +22,19 @@ struct Derived {
 
 // What becomes of a module that could be built and is not well formed.
 enum class Finding { refuses, is_told };
+// Of what could be built, with its reports: what is not shown of it.
+using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived derived,
+                                            const diag::Engine& diagnostics)>;
 // `spec` is left as it is; in between, numbers and orders that reports offer are tried in it.
 // nullopt when an error was reported, unless it is about arbitration (6005); `is_told`: not of one
-// that says that it is not well formed either.
+// that says that it is not well formed either. With a `judge` nothing is offered with which less is
+// shown.
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
-                              diag::Engine& diagnostics, Finding finding = Finding::refuses);
+                              diag::Engine& diagnostics, Finding finding = Finding::refuses,
+                              const Judge& judge = {});
+// What is wrong with a specification, and if that is `worth` it, what is not shown of it.
+Faults faults_with(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
+                   const Trials::Worth& worth);
 
 // What `rtac check` tells about one monitor, in mm and us.
 struct MonitorSummary {

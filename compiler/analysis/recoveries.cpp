@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/joint_return.h"
 #include "compiler/analysis/limits.h"
@@ -360,8 +361,48 @@ class Recoveries {
       return leads(ways_over(edges, cells, module_, decision_, last));
     };
     d.help = grown(last, d, over_cells, leads_back).value_or("widen it") +
-             ", or join it to a wider part, or take it out of the zone";
+             ", or join it to a wider part, or take it out of the zone" +
+             nearer(last.return_clearance_mm - part.clearance_mm, d);
     diagnostics_.report(std::move(d));
+  }
+  // Numbers with which control returns there, or where a way leads from there: looked for from so
+  // much less clearance on.
+  [[nodiscard]] std::string nearer(std::int64_t by_mm, const diag::Diagnostic& of) const {
+    if (trials_ == nullptr) return "";  // nobody reads it
+    const Fault fault = fault_of(of.code, of.range);
+    std::string text;
+    const auto asked = least_asked(by_mm);
+    if (asked && asked->steps > 0) {
+      const auto works = asked_that_works(
+          *trials_, {fault, 1000, asked->steps + by_mm, asked->steps, asked->steps / asked_share},
+          asked->source);
+      if (works) text = "; or a clearance of at most " + metres(*works) + " works";
+    }
+    const std::int64_t back_mm =
+        return_clearance_mm(decision_, monitor_.lookahead.duration_us) - by_mm;
+    const auto numbers = repairs(decided_, trials_, fault, [&](const Trial& t) {
+      const std::int64_t ahead_us = lookahead_us(spec_, written_, t.decision.period_us);
+      return return_clearance_mm(t.decision, ahead_us) <= back_mm;
+    });
+    return text + (numbers.empty() ? "" : "; or " + joined(numbers) + " works");
+  }
+  struct Asked {
+    SourceRange source;
+    std::int64_t steps;  // mm
+  };
+  // What the property asks for beyond being inside, as so much less.
+  [[nodiscard]] std::optional<Asked> least_asked(std::int64_t by_mm) const {
+    std::optional<Asked> most;
+    for (const ir::Value& value : monitor_.property.values) {
+      const auto* compare = std::get_if<ir::AtLeast>(&value.op);
+      const auto bound = compare
+                             ? ir::lower_bound(monitor_.property, *compare, decision_.facts.params)
+                             : std::nullopt;
+      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) continue;
+      const std::int64_t mm = bound->need.strictest;
+      if (!most || mm - by_mm > most->steps) most = Asked{value.source, mm - by_mm};
+    }
+    return most;
   }
   // With how much more on every side it works, looked for from where `fits` holds.
   std::optional<std::string> grown(const ir::Recovery& last, const diag::Diagnostic& of,

@@ -1,6 +1,7 @@
 #include "compiler/analysis/repairs.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "compiler/analysis/limits.h"
@@ -137,8 +138,12 @@ class Search {
       if (auto found = nearest(each)) tried.push_back(*found);
     }
     std::stable_sort(tried.begin(), tried.end(), by_change);
+    std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+    for (const Found& each : tried) least = std::min(least, left_with(each));
     std::vector<std::string> texts;
-    for (const Found& each : tried) texts.push_back(each.text());
+    for (const Found& each : tried) {
+      if (left_with(each) == least) texts.push_back(each.text());
+    }
     return texts;
   }
 
@@ -190,10 +195,17 @@ class Search {
     }
     return high;
   }
+  [[nodiscard]] std::string dial_of(const Number& n) const {
+    return n.what + (n.grows ? " or more of " : " of ") + decision_.name;
+  }
+  // What is not shown with one number, and is with another, is what the fault is about.
+  [[nodiscard]] std::ptrdiff_t left_with(const Found& found) const {
+    return trials_.left_with(dial_of(*found.number), found.steps);
+  }
   std::optional<Found> nearest(const Found& near) {
     const Number& n = *near.number;
     const Rational before = n.of(kind_, decision_)->value;
-    const Dial dial{n.what + " of " + decision_.name, near.written, n.grows ? grown_most : n.least,
+    const Dial dial{dial_of(n), near.written, n.grows ? grown_most : n.least,
                     [&](std::int64_t steps) { return write(n, steps); },
                     [&] { n.of(kind_, decision_)->value = before; }};
     const auto found = trials_.nearest(dial, near.steps, fault_);

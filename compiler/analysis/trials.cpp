@@ -9,7 +9,11 @@ namespace {
 
 // Of one specification: a report is no search that lasts. In seconds of the processor, so that what
 // is offered does not hang on what else the machine does.
-constexpr int runs_most = 200, seconds_most = 30;
+constexpr int runs_most = 200, seconds_most = 30, seconds_of_remark_most = 10;
+// Of these, runs that ask what is shown; after that, reports alone have to do.
+constexpr int shown_most = 40;
+// Where a run takes long, a number is looked for to within this share of it.
+constexpr std::int64_t near_enough = 200;
 // From the guess to the last number, each so many times nearer to that.
 constexpr std::int64_t times_farther = 4;
 constexpr std::size_t probes_most = 6;
@@ -33,12 +37,21 @@ bool is_of_places(diag::Code code) {
 bool is_remark(diag::Code code) {
   return code == diag::Code::corridor_too_narrow || code == diag::Code::no_way_back;
 }
-std::ptrdiff_t wrong(const Faults& found) {
-  return std::ranges::count_if(found, [](const Fault& each) { return !is_remark(each.code); });
+bool is_wrong(const Fault& each) {
+  return each.open.empty() && !is_remark(each.code);
 }
-bool no_more(const Faults& found, const Faults& than) {
+std::ptrdiff_t wrong(const Faults& found) {
+  return std::ranges::count_if(found.all, is_wrong);
+}
+bool no_more_wrong(const Faults& found, const Faults& than) {
   return std::ranges::all_of(
-      found, [&](const Fault& each) { return is_remark(each.code) || than.contains(each); });
+      found.all, [&](const Fault& each) { return !is_wrong(each) || than.all.contains(each); });
+}
+bool no_more_open(const Faults& found, const Faults& than) {
+  if (!than.complete) return true;  // nobody knows what was open
+  return found.complete && std::ranges::all_of(found.all, [&](const Fault& each) {
+           return each.open.empty() || than.all.contains(each);
+         });
 }
 
 }  // namespace
@@ -48,70 +61,133 @@ Fault fault_of(diag::Code code, const std::optional<SourceRange>& range) {
 }
 
 Faults faults_of(const diag::Engine& diagnostics) {
-  Faults all;
+  Faults found;
   for (const diag::Diagnostic& d : diagnostics.all()) {
     if (diag::info(d.code).severity == diag::Severity::error ||
         d.code == diag::Code::monitor_vacuous || is_remark(d.code)) {
-      all.insert(fault_of(d.code, d.range));
+      found.all.insert(fault_of(d.code, d.range));
     }
   }
-  return all;
+  return found;
 }
 
-const Faults& Trials::as_written() {
-  if (!as_written_) as_written_ = run_(true);
+const Faults& Trials::as_written(bool shown) {
+  if (!as_written_ || (shown && !asked_)) {
+    asked_ = shown;
+    as_written_ = run_(true, [&](const Faults&) { return shown; });
+  }
   return *as_written_;
 }
 
-const Faults* Trials::with(const Dial& dial, std::int64_t steps) {
+const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& worth,
+                           int most_seconds) {
   const auto [at, is_new] = known_.try_emplace({dial.name, steps});
-  if (is_new && runs_ < runs_most && ticks_ / CLOCKS_PER_SEC < seconds_most) {
+  const bool asks_more = !is_new && at->second && !at->second->complete && worth(*at->second);
+  if ((is_new || asks_more) && runs_ < runs_most && ticks_ / CLOCKS_PER_SEC < most_seconds) {
     const std::clock_t start = std::clock();
     if (dial.write(steps)) {
       ++runs_;
-      at->second = run_(!dial.of_zone);
+      at->second = run_(!dial.of_zone, worth);
     }
     dial.restore();
     ticks_ += std::clock() - start;
+    if (at->second && worth(*at->second)) ++shown_;
   }
   return at->second ? &*at->second : nullptr;
 }
 
-bool Trials::mends(const Faults* found, const Fault& fault,
-                   const std::optional<SourceRange>& all_of) {
+bool Trials::mends(const Faults& found, const Goal& goal) {
   const auto is_left = [&](const Fault& each) {
-    return all_of && is_of_places(each.code) && each.file == all_of->file &&
+    const auto& all_of = goal.all_of;
+    return all_of && is_of_places(each.code) && each.open.empty() && each.file == all_of->file &&
            each.begin >= all_of->begin && each.begin < all_of->end;
   };
-  return found != nullptr && !found->contains(fault) && std::ranges::none_of(*found, is_left) &&
-         no_more(*found, as_written());
+  return !found.all.contains(goal.fault) && std::ranges::none_of(found.all, is_left) &&
+         no_more_wrong(found, as_written(goal.shown));
+}
+
+// What is not shown of another monitor has another cause.
+std::ptrdiff_t Trials::open_at(const Faults& found, const Fault& fault) const {
+  const auto is_at = [](const sema::Monitor& m, const Fault& each) {
+    return each.file == m.range.file && each.begin >= m.range.begin && each.begin < m.range.end;
+  };
+  const auto of =
+      std::ranges::find_if(spec_.monitors, [&](const sema::Monitor& m) { return is_at(m, fault); });
+  return std::ranges::count_if(found.all, [&](const Fault& each) {
+    const auto elsewhere = [&](const sema::Monitor& m) { return &m != &*of && is_at(m, each); };
+    return !each.open.empty() &&
+           (of == spec_.monitors.end() || std::ranges::none_of(spec_.monitors, elsewhere));
+  });
+}
+
+std::ptrdiff_t Trials::left_with(const std::string& dial, std::int64_t steps) const {
+  const auto at = known_.find({dial, steps});
+  if (at == known_.end() || !at->second) return 0;
+  return std::ranges::count_if(at->second->all, [](const Fault& f) { return !f.open.empty(); });
+}
+
+bool Trials::shows_no_less(const Faults& found) {
+  return no_more_open(found, as_written(true));
 }
 
 std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess,
                                             const Fault& fault,
                                             const std::optional<SourceRange>& all_of) {
+  // to ask what is shown takes longer: first by the reports alone, and that is mostly it
+  const Goal by_reports{fault, all_of, false}, shown{fault, all_of, true};
+  const auto first = least_wrong(dial, guess, by_reports);
+  if (!first || shown_ >= shown_most) return first;
+  const auto best = least_wrong(dial, *first, shown);
+  return best || shown_ < shown_most ? best : first;
+}
+
+std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,
+                                                const Goal& goal) {
+  const auto no_less = [&](const Faults& found, const Faults& than) {
+    return !goal.shown || no_more_open(found, than);
+  };
+  const auto left_by = [&](const Faults& found) {
+    return wrong(found) + (goal.shown ? open_at(found, goal.fault) : 0);
+  };
+  const Worth mends_it = [&](const Faults& found) {
+    return goal.shown && mends(found, goal) && shown_ < shown_most;
+  };
+  const int most_seconds = is_remark(goal.fault.code) ? seconds_of_remark_most : seconds_most;
   std::optional<std::int64_t> good;
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
-  for (const std::int64_t at : probes(guess, dial.far)) {
-    const Faults* const found = with(dial, at);
-    if (mends(found, fault, all_of) && (!good || wrong(*found) < wrong(*left))) {
+  // what is shown of a larger zone takes the longer, the larger it is
+  const bool nothing_else = goal.shown && dial.of_zone;
+  for (const std::int64_t at : probes(guess, nothing_else ? guess : dial.far)) {
+    const Faults* const found = with(dial, at, mends_it, most_seconds);
+    if (found != nullptr && mends(*found, goal) && no_less(*found, as_written(goal.shown)) &&
+        (!good || left_by(*found) < left_by(*left))) {
       good = at;
       left = found;
       bad = before;
     }
-    if (good && wrong(*left) == 0) break;
+    if (good && left_by(*left) == 0) break;
     before = at;
   }
   if (!good) return std::nullopt;
   const auto works = [&](std::int64_t at) {
-    const Faults* const found = with(dial, at);
-    return found != nullptr && !found->contains(fault) && no_more(*found, *left);
+    const Faults* const found = with(dial, at, mends_it, most_seconds);
+    return found != nullptr && !found->all.contains(goal.fault) && no_more_wrong(*found, *left) &&
+           no_less(*found, *left);
   };
-  const std::int64_t next = *good + (bad > *good ? 1 : -1);
-  if (next == bad || !works(next)) return good;  // most guesses are right
-  good = next;
-  while (std::abs(bad - *good) > 1) {
+  // most guesses are right, or nearly so
+  for (std::int64_t by = bad > *good ? 1 : -1; std::abs(bad - *good) > std::abs(by); by *= 2) {
+    if (!works(*good + by)) {
+      bad = *good + by;
+      break;
+    }
+    *good += by;
+  }
+  const bool takes_long = goal.shown || is_remark(goal.fault.code);
+  const auto enough = [&] {
+    return takes_long ? std::max<std::int64_t>(1, *good / near_enough) : 1;
+  };
+  while (std::abs(bad - *good) > enough()) {
     const std::int64_t middle = *good + (bad - *good) / 2;
     if (works(middle)) {
       good = middle;

@@ -22,9 +22,13 @@ struct Fault {
   diag::Code code{};
   FileId file{};
   std::uint32_t begin = 0;
+  std::string open{};  // no report, but an obligation that is not shown, of what stands there
   auto operator<=>(const Fault&) const = default;
 };
-using Faults = std::set<Fault>;
+struct Faults {
+  std::set<Fault> all;
+  bool complete = true;  // what is not shown is among them
+};
 Fault fault_of(diag::Code code, const std::optional<SourceRange>& range);
 Faults faults_of(const diag::Engine& diagnostics);
 
@@ -40,30 +44,46 @@ struct Dial {
 
 class Trials {
  public:
+  // Of the reports alone, whether to ask what is not shown, too, which takes longer.
+  using Worth = std::function<bool(const Faults&)>;
   // What is wrong with `spec` as it is at the moment; whether its zones are as they are written.
-  using Run = std::function<Faults(bool same_zones)>;
+  using Run = std::function<Faults(bool same_zones, const Worth& worth)>;
   Trials(sema::Spec& spec, Run run) : spec_(spec), run_(std::move(run)) {}
   // To be changed, and to be as it was afterwards.
   [[nodiscard]] sema::Spec& spec() { return spec_; }
 
-  // The number nearest to the written one with which `fault` is gone, nothing is wrong that was
-  // right, and no more is wrong than with others that are farther off: of several errors with one
-  // cause it mends all, if any does. Looked for from `guess` on. none: none of those that were
-  // tried is such a one. `all_of`: nor is one with which an error of places (5007, 5016)
-  // is left that begins in there.
+  // The number nearest to the written one with which `fault` is gone, nothing is wrong or no longer
+  // shown that was right, and no more is wrong, or not shown of the same monitor, than with others
+  // that are farther off: of several errors with one cause it mends all, if any does. Looked for
+  // from `guess` on. none: none of those that were tried is such a one. `all_of`: nor is one with
+  // which an error of places (5007, 5016) is left that begins in there.
   std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault,
                                       const std::optional<SourceRange>& all_of = {});
+  // How much is not shown with a number that was found.
+  [[nodiscard]] std::ptrdiff_t left_with(const std::string& dial, std::int64_t steps) const;
+  // Whether all that is not shown there was not shown before either.
+  bool shows_no_less(const Faults& found);
 
  private:
-  const Faults& as_written();
-  const Faults* with(const Dial& dial, std::int64_t steps);  // nullptr: refused, or too many
-  bool mends(const Faults* found, const Fault& fault, const std::optional<SourceRange>& all_of);
+  // What a number is looked for, and whether by what is shown with it, or by reports alone.
+  struct Goal {
+    Fault fault;
+    std::optional<SourceRange> all_of;
+    bool shown = false;
+  };
+  std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
+  const Faults& as_written(bool shown);
+  // nullptr: refused, or too many
+  const Faults* with(const Dial& dial, std::int64_t steps, const Worth& worth, int most_seconds);
+  bool mends(const Faults& found, const Goal& goal);
+  [[nodiscard]] std::ptrdiff_t open_at(const Faults& found, const Fault& fault) const;
 
   sema::Spec& spec_;
   Run run_;
-  int runs_ = 0;
+  int runs_ = 0, shown_ = 0;
   std::clock_t ticks_ = 0;
   std::optional<Faults> as_written_;
+  bool asked_ = false;  // what is not shown of it
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
 };
 

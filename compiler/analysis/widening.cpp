@@ -65,7 +65,7 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
   sema::ZoneExprPtr& value = found->value;
   const SourceRange range = value->range;
   const Dial dial{"the growth of " + zone,
-                  0,
+                  std::max<std::int64_t>(least_mm - 1, 0),
                   std::max(guess_mm, most_mm),
                   [&](std::int64_t mm) {
                     auto grown = std::make_unique<sema::ZoneExpr>();
@@ -79,8 +79,7 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
                     value = std::move(written);
                   },
                   true};
-  auto by_mm = trials.nearest(dial, guess_mm, fault);
-  if (by_mm) by_mm = std::max(*by_mm, least_mm);
+  const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (!by_mm || closes_a_gap(exact, *by_mm)) return std::nullopt;
   return "`grow(" + zone + ", " + metres(*by_mm) + ")` in its place works";
 }

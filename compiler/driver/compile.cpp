@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,12 @@ void run_passes(const Options& options, std::ostream& out, Compilation& c) {
   if (auto problem = passes::run_pipeline(*c.module, c.diagnostics, after)) {
     c.internal_error = std::move(*problem);
   }
+}
+
+// As `rtac verify` will, of a specification that is tried.
+std::set<analysis::Fault> judge(const sema::Spec& spec, const analysis::Derived& derived,
+                                const diag::Engine& diagnostics) {
+  return verify::open_obligations(spec, derived.module, derived.tables, diagnostics.all());
 }
 
 // What is imported has no `spec` line, and must not get one: it is read with what imports it.
@@ -130,7 +137,7 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   const bool played = options.command == Command::sim && !options.recorded.empty();
   const auto finding = options.command == Command::verify || played ? analysis::Finding::is_told
                                                                     : analysis::Finding::refuses;
-  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding);
+  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding, judge);
   if (!derived) return;
   const int errors = finding == analysis::Finding::refuses ? 0 : errors_in_building(c.diagnostics);
   c.module = std::move(derived->module);

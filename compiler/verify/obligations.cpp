@@ -9,6 +9,7 @@
 #include "compiler/analysis/joint_return.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/turns.h"
@@ -401,18 +402,24 @@ void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir
   }
 }
 
-// Of a pair, what the check has tried with the whole specification, and offers (6005): a number of
-// the energy clause may take more charge than there is, and a zone be too small for another
-// property.
-void drop_untried(const std::vector<diag::Diagnostic>& found, Report& report) {
+// Of a pair, what the check has tried with the whole specification, and offers (6005), and nothing
+// else: a number of the energy clause may take more charge than there is, a zone be too small for
+// another property, and another order break another pair.
+void repair_pairs(const sema::Spec& spec, const std::vector<diag::Diagnostic>& found,
+                  Report& report) {
   for (Decision& decision : report.decisions) {
     for (Obligation& o : decision.obligations) {
       if (o.kind != Kind::keeps || o.status == Status::acknowledged) continue;
       if (o.repair.starts_with("`acknowledge ")) continue;  // changes nothing
-      const bool offered = std::ranges::any_of(found, [&](const diag::Diagnostic& d) {
-        return d.code == Code::recovery_breaks && d.help.find(o.repair) != std::string::npos;
+      const auto drives = [&](const sema::Monitor& m, const diag::Diagnostic& d) {
+        return m.recover && spec[*m.recover].name == o.recovery && d.range == m.recover_range;
+      };
+      const auto tried = std::ranges::find_if(found, [&](const diag::Diagnostic& d) {
+        return d.code == Code::recovery_breaks &&
+               d.label.find(quoted(o.monitor)) != std::string::npos &&
+               std::ranges::any_of(spec.monitors, [&](const auto& m) { return drives(m, d); });
       });
-      if (!offered) o.repair.clear();
+      o.repair = tried != found.end() ? tried->help : "";
     }
   }
 }
@@ -481,7 +488,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
       report.decisions.push_back({d.name, spec[d.kind].name, {}, {}});
     }
   }
-  drop_untried(found, report);
+  repair_pairs(spec, found, report);
   for (const diag::Diagnostic& d : found) {
     if (diag::info(d.code).severity != diag::Severity::error) continue;
     // of a place that is read, and no recovery leads to
@@ -503,6 +510,23 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
     });
   }
   return report;
+}
+
+std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Module& module,
+                                           const ir::TableMap& tables,
+                                           const std::vector<diag::Diagnostic>& found) {
+  std::set<analysis::Fault> all;
+  const Report report = verify(spec, &module, tables, found, {});
+  for (std::size_t n = 0; n < report.decisions.size(); ++n) {
+    for (const Obligation& o : report.decisions[n].obligations) {
+      const bool open = o.status == Status::unknown || o.status == Status::refuted;
+      if (!open || o.kind == Kind::switching) continue;
+      const auto m = std::ranges::find(spec.monitors, o.monitor, &sema::Monitor::name);
+      const SourceRange at = m != spec.monitors.end() ? m->range : spec.decisions[n].name_range;
+      all.insert({{}, at.file, at.begin, std::string(name(o.kind)) + " " + o.recovery});
+    }
+  }
+  return all;
 }
 
 std::vector<diag::Diagnostic> never_given_back(const sema::Spec& spec, const ir::Module& module,

@@ -2,6 +2,10 @@
 // reach.
 #pragma once
 
+#include <set>
+#include <vector>
+
+#include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
 #include "compiler/protocol/protocol.h"
@@ -16,6 +20,12 @@ namespace rtac::verify {
 // runs of a model of the switching protocol.
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
               const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check);
+
+// What is neither shown nor accepted of a specification that is tried, but for its switching, of
+// which runs of a model are asked.
+std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Module& module,
+                                           const ir::TableMap& tables,
+                                           const std::vector<diag::Diagnostic>& found);
 
 // 5020: the monitors whose recovery leads to a place where they do not let go, by what they ask for
 // beside being clear of a boundary: P2b is refuted there, by geometry alone. Of a module without

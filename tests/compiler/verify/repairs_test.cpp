@@ -1,0 +1,158 @@
+// What is printed as a repair has the obligation proved that it is printed for, and five per cent
+// beyond it does not.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Repaired : public Verify {
+ protected:
+  // The repair of an obligation; "": it has none.
+  static std::string repair_of(const std::string& text, const std::string& kind,
+                               const std::string& monitor) {
+    const Json report = Json::parse(verified(text, {"--format", "json"}).out);
+    for (const Json& d : report["decisions"]) {
+      for (const Json& o : d["obligations"]) {
+        if (o["obligation"] == kind && o.value("monitor", "") == monitor &&
+            o["status"] != "proved") {
+          return o.value("repair", "");
+        }
+      }
+    }
+    return "";
+  }
+  static bool proved(const std::string& text, const std::string& kind, const std::string& monitor) {
+    return statuses(verified(text, {"--format", "json"}).out, kind, monitor) ==
+           std::vector<std::string>{"proved"};
+  }
+  // "0.077" of "an `error` of the position of at most 0.077 m works"
+  static double number_after(const std::string& repair, const std::string& what) {
+    const std::size_t at = repair.find(what);
+    if (at == std::string::npos) {
+      ADD_FAILURE() << "no `" << what << "` in " << repair;
+      return 0;
+    }
+    return std::stod(repair.substr(at + what.size()));
+  }
+};
+
+std::string cage(const std::string& error) {
+  return R"(spec noisy;
+zone cage = prism (rectangle (0 m, 0 m) to (4 m, 4 m)) from 0 m to 3 m;
+robot Quad {
+  body    radius 30 cm;
+  motion  point { speed <= 2 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense   position : point3  error )" +
+         error + R"( m max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller scan : advanced for Quad extern;
+controller back : safe for Quad = retreat within cage speed 0.4 m/s;
+monitor fence for r : Quad { "R1" always r inside cage; recover back; }
+decision fly for Quad { advanced scan; period 50 ms; priority fence; }
+)";
+}
+
+// With less error there is a place to return to, and with still less it is led to.
+TEST_F(Repaired, AnErrorIsSoSmallThatWaysBackAreShown) {
+  const double most =
+      number_after(repair_of(cage("0.25"), "P2b", "fence"), "`error` of the position of at most ");
+  EXPECT_TRUE(proved(cage(std::to_string(most)), "P2b", "fence")) << most;
+  EXPECT_FALSE(proved(cage(std::to_string(1.05 * most)), "P2b", "fence")) << most;
+}
+
+std::string around(const std::string& off) {
+  return R"(spec around;
+zone hall = rectangle (0 m, 0 m) to (6 m, 6 m);
+zone pit  = circle (3 m, 3 m) radius 1 m;
+zone ring = hall - pit;
+robot Bot {
+  body    radius 15 cm;
+  motion  point { speed <= 0.4 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 1 cm   max_age 50 ms;
+  sense   velocity : vector error 1 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 30 ms;
+}
+fleet b : Bot;
+controller go : advanced for Bot extern;
+controller back : safe for Bot = retreat within ring speed 0.2 m/s;
+monitor off for r : Bot { "R1" always clearance(r, ring) >= )" +
+         off + R"( mm; recover back; }
+decision drive for Bot { advanced go; period 50 ms; priority off; }
+)";
+}
+
+// Where a ring is too narrow to be driven round, less distance that is kept works.
+TEST_F(Repaired, AClearanceIsSoSmallThatWaysLeadRound) {
+  const double most =
+      number_after(repair_of(around("850"), "P2b", "off"), "a clearance of at most ");
+  const auto asked = [](double m) { return around(std::to_string(std::lround(1000 * m))); };
+  EXPECT_TRUE(proved(asked(most), "P2b", "off")) << most;
+  EXPECT_FALSE(proved(asked(1.05 * most), "P2b", "off")) << most;
+}
+
+// An order that works is in the report; one that only breaks another pair is nowhere.
+TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
+  const auto high = [](const std::string& order) {
+    return R"(spec ceiling;
+zone volume = prism (rectangle (0 m, 0 m) to (40 m, 30 m)) from 0 m to 50 m;
+robot Quad {
+  body    radius 30 cm;
+  motion  point { speed <= 4 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense   position : point3  error 8 cm   max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller go   : advanced for Quad extern;
+controller stop : safe for Quad = brake_and_hold;
+controller back : safe for Quad = retreat within volume speed 0.6 m/s;
+monitor fence for r : Quad { "R1" always r inside volume; recover back; }
+monitor low   for r : Quad { "R2" always r.position.z >= 3 m; recover stop; hold when violated "the pilot climbs"; }
+decision fly for Quad { advanced go; period 50 ms; priority )" +
+           order + "; }\n";
+  };
+  EXPECT_NE(repair_of(high("fence > low"), "C", "low").find("`priority low > fence;` works"),
+            std::string::npos);
+  EXPECT_TRUE(proved(high("low > fence"), "C", "low"));
+}
+TEST_F(Repaired, AnOrderThatBreaksAnotherPairIsNotOffered) {
+  const std::string starves = R"(spec starves;
+zone hall = rectangle (0 m, 0 m) to (20 m, 12 m);
+site dock = (3 m, 6 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 50 ms;
+  sense   velocity : vector error 2 cm/s max_age 50 ms;
+  sense   battery  : ratio  error 1 %    max_age 5 s;
+  output  thrust : acceleration;
+  latency 30 ms;
+  energy  { drive <= 0.3 %/m; idle <= 0.02 %/s; drain <= 0.4 %/s; charge >= 0.5 %/s at dock; held <= 60 s; detour <= 5 m; }
+}
+fleet c : Cart;
+agent people[2] : radius 30 cm, speed <= 1.6 m/s error 10 cm max_age 200 ms, present;
+controller go   : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller home : safe for Cart = route to dock within hall speed 0.4 m/s;
+monitor people_off for r : Cart { "R1" always forall p : people : distance(r, p) >= 40 cm; recover stop; }
+monitor walls  for r : Cart { "R2" always r inside hall; recover home; }
+monitor charge for r : Cart { "R3" always r.battery >= energy_to(dock) + 10 %; recover home; return when r.battery >= 85 %; }
+decision drive for Cart { advanced go; period 100 ms; priority people_off > walls > charge;
+  acknowledge stop may break people_off "who walks up to it sees it"; }
+)";
+  const std::string repair = repair_of(starves, "C", "charge");
+  EXPECT_EQ(repair.find("priority"), std::string::npos) << repair;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
