@@ -4,6 +4,7 @@
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/site_room.h"
 #include "compiler/ir/linear.h"
 #include "compiler/sema/templates.h"
 
@@ -11,6 +12,8 @@ namespace rtac::analysis {
 namespace {
 
 using How = ir::Returns::How;
+
+constexpr std::int64_t parked_mm = 100;  // a robot counts as parked within this of its site
 
 class Met {
  public:
@@ -143,19 +146,34 @@ class Met {
     const auto deep = within(exact_(zone), std::max<std::int64_t>(0, more_mm));
     if (deep && deep->contains(own)) return {How::itself};
     if (last_.kind == ir::RecoveryKind::route) {
-      return {sites_clear(zone, need_mm) ? How::itself : How::open};
+      if (sites_clear(zone, need_mm)) return {How::itself};
+      return {How::open, least_mm < 0 ? geometry::Region() : parked_outside(zone)};
     }
     // less than touching it may hold outside
     if (least_mm < 0 || last_.kind != ir::RecoveryKind::retreat) return {};
     return {How::open, stuck_outside(own.subtract(exact_(zone)))};
   }
   [[nodiscard]] bool sites_clear(ir::ZoneIndex zone, std::int64_t need_mm) const {
-    constexpr std::int64_t parked_mm = 100;  // a robot counts as parked within this of its site
     const auto deep = within(exact_(zone), need_mm + parked_mm);
     const auto& places = module_[last_.site].places;
     return deep && std::all_of(places.begin(), places.end(), [&](const ir::SiteTable::Place& p) {
              return deep->contains({metres_of(p.x_mm), metres_of(p.y_mm)});
            });
+  }
+  // Where robots come to rest, if no robot does so with its centre in the zone.
+  [[nodiscard]] geometry::Region parked_outside(ir::ZoneIndex zone) const {
+    const std::int64_t off_mm = std::max(parked_mm, rests_off_mm(decision_.body));
+    std::vector<geometry::Ring> around;
+    for (const ir::SiteTable::Place& p : module_[last_.site].places) {
+      const auto low = [&](std::int64_t mm) { return metres_of(mm - off_mm); };
+      const auto high = [&](std::int64_t mm) { return metres_of(mm + off_mm); };
+      around.push_back({{low(p.x_mm), low(p.y_mm)},
+                        {high(p.x_mm), low(p.y_mm)},
+                        {high(p.x_mm), high(p.y_mm)},
+                        {low(p.x_mm), high(p.y_mm)}});
+    }
+    const geometry::Region all = geometry::Region::of_rings(around);
+    return all.intersect(exact_(zone)).empty() ? all : geometry::Region();
   }
   // The places outside that the recovery leads nowhere from, as they are clear enough already.
   [[nodiscard]] geometry::Region stuck_outside(const geometry::Region& outside) const {

@@ -126,6 +126,11 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
       there["starts"][robots.front()]["at"] = place(start.place_mm);
       all.push_back(std::move(there));
     }
+    if (o.monitor == charge && !charge.empty()) {
+      Scenario low = about;  // it engages soon
+      low["starts"] = "tight";
+      all.push_back(std::move(low));
+    }
     all.push_back(std::move(about));
     return all;
   }

@@ -412,11 +412,15 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
     open.status = Status::refuted;
     open.method = by_geometry;
     open.place_mm = m.returns.stuck_mm;
+    // the condition may hold on the way to the site
+    const bool routes = ir::last_step(m.recovery).kind == ir::RecoveryKind::route;
+    open.by_a_run = routes;
     open.because = "at rest at (" + metres(open.place_mm->first) + ", " +
                    metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +
                    " leads no further, and `return when` of " + quoted(m.name) +
                    " does not hold there";
-    open.repair = "a recovery within what it asks for works";
+    open.repair = routes ? "a site within what it asks for works"
+                         : "a recovery within what it asks for works";
   }
   return open;
 }
