@@ -360,9 +360,10 @@ class Recoveries {
                                 const ir::Cells& cells) {
       return leads(ways_over(edges, cells, module_, decision_, last));
     };
-    d.help = grown(last, d, over_cells, leads_back).value_or("widen it") +
-             ", or join it to a wider part, or take it out of the zone" +
-             nearer(last.return_clearance_mm - part.clearance_mm, d);
+    d.help = grown(last, d, over_cells, leads_back).value_or("widen it");
+    d.help += ", or join it to a wider part, or take it out of the zone";
+    // a site is reached wherever control returns
+    if (!is_route) d.help += nearer(last.return_clearance_mm - part.clearance_mm, d);
     diagnostics_.report(std::move(d));
   }
   // Numbers with which control returns there, or where a way leads from there: looked for from so

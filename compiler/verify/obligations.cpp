@@ -419,7 +419,8 @@ void repair_pairs(const sema::Spec& spec, const std::vector<diag::Diagnostic>& f
                d.label.find(quoted(o.monitor)) != std::string::npos &&
                std::ranges::any_of(spec.monitors, [&](const auto& m) { return drives(m, d); });
       });
-      o.repair = tried != found.end() ? tried->help : "";
+      const bool repairs = tried != found.end() && !tried->help.starts_with("`acknowledge ");
+      o.repair = repairs ? tried->help : "";
     }
   }
 }
