@@ -136,7 +136,7 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   // to ask what is shown takes longer: first by the reports alone, and that is mostly it
   const Goal by_reports{fault, all_of, false}, shown{fault, all_of, true};
   const auto first = least_wrong(dial, guess, by_reports);
-  if (!first || shown_ >= shown_most) return first;
+  if (!first || reports_alone_ || shown_ >= shown_most) return first;
   const auto best = least_wrong(dial, *first, shown);
   return best || shown_ < shown_most ? best : first;
 }
