@@ -301,15 +301,6 @@ class Check {
       }
     }
   }
-  // Of all its properties.
-  std::optional<Rational> at_most_asked(const sema::Decision& d) const {
-    std::optional<Rational> most;
-    for (const sema::MonitorId id : d.priority) {
-      const auto asked = distance_asked(spec_, d, *spec_[id].always);
-      if (asked && (!most || *asked > *most)) most = asked;
-    }
-    return most;
-  }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
     if (has(e, "no_fences", {{"decision", d.name}})) {
@@ -319,6 +310,7 @@ class Check {
       return;
     }
     std::set<std::string> zones, places, named;
+    std::string height;
     for (const sema::MonitorId id : d.priority) {
       if (spec_[id].ahead.waypoints_only) continue;
       for (const sema::ZoneId zone : asked_in(spec_, *spec_[id].always)) {
@@ -333,6 +325,7 @@ class Check {
                         : "");
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
       named.insert(text(c.values, "zone"));
+      if (c.what == "place") height = text(c.values, "z_mm");
     }
     for (const sema::MonitorId id : d.priority) {
       if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], named);
@@ -348,21 +341,39 @@ class Check {
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
     named.erase("");
-    all_at_once(d, e, named);
+    all_at_once(d, e, named, height);
   }
-  // Of three robots and more that are to be so far apart, each has a place in all of these zones.
-  void all_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& zones) {
+  // How far apart two robots are that are given back both. Neither is held then: each reckons with
+  // its own reach and, from a message that is as old as it may be, with that of the other one; both
+  // are measured beside where they are.
+  Rational both_given_back(const sema::Decision& d) const {
+    const sema::RobotKind& kind = spec_[d.kind];
+    const Rational heard = kind.hears_max_age ? kind.hears_max_age->value : Rational(0);
+    const Rational extra = return_extra(spec_, d);
+    const Rational error = numbers_of(spec_, d, jitter_of(spec_, d)).position_error;
+    Rational most = 0;
+    for (const sema::MonitorId id : d.priority) {
+      const auto asked = distance_asked(spec_, d, *spec_[id].always);
+      if (!asked || *asked <= 0) continue;
+      most = std::max(most,
+                      Rational(*asked + 2 * error + claims_.return_clearance(d, spec_[id], extra) +
+                               claims_.return_clearance(d, spec_[id], extra + heard)));
+    }
+    return most;
+  }
+  // Of robots that are to be so far apart each has a place in all of these zones.
+  void all_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& zones,
+                   const std::string& height) {
     const auto robots = std::ranges::count(spec_.robots, d.kind, &sema::Robot::kind);
-    const auto asked = at_most_asked(d);
-    if (robots < 3 || !asked || *asked <= 0 || zones.empty() || spec_[d.kind].in_space) return;
-    const Rational apart = *asked + 2 * spec_[d.kind].radius.value;
+    const Rational apart = both_given_back(d);
+    if (robots < 2 || apart <= 0 || zones.empty()) return;
     std::vector<geometry::Point> centres;
     for (long k = 0; k < robots; ++k) {
       std::set<std::pair<std::int64_t, std::int64_t>> at;
       std::set<std::string> left = zones;
       for (const Claim& c : e.claims) {
         if (c.what != "place" || text(c.values, "decision") != d.name) continue;
-        if (number(c.values, "robot") != k) continue;
+        if (number(c.values, "robot") != k || text(c.values, "z_mm") != height) continue;
         const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
         if (x && y) at.emplace(*x, *y);
         left.erase(text(c.values, "zone"));

@@ -358,43 +358,6 @@ std::string seen_too_near(const Subject& s, const std::vector<Need>& needs) {
   return "";
 }
 
-// What works instead of a distance that leaves no room for all robots.
-std::string smaller_distance(const Subject& s, const RoomForAll& room, std::int64_t apart_mm) {
-  const auto most_mm = room.most_apart_mm(apart_mm);
-  const std::int64_t left_mm = most_mm.value_or(0) - 2 * s.decision.body.radius_mm;
-  return left_mm > 0 ? "a distance of at most " + metres(left_mm) + " works, or a wider zone"
-                     : "a wider zone works";
-}
-
-// Of what is shown of one robot, that there is room for all of them, as far apart as is asked. Of
-// two that is known by then.
-Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, Obligation o) {
-  const std::int64_t apart_mm = centres_apart_mm(s);
-  if (s.decision.robots < 3 || apart_mm == 0 || zones.empty()) return o;
-  const std::string robots = std::to_string(s.decision.robots);
-  const RoomForAll room(s, zones);
-  const auto centres = room.centres(apart_mm);
-  if (!centres) {
-    o.status = Status::unknown;
-    o.method = "no proof";
-    o.because = "no places were found where " + robots + " robots are given back, their centres " +
-                metres(apart_mm) + " apart";
-    o.repair = smaller_distance(s, room, apart_mm);
-    o.claims.clear();
-    return o;
-  }
-  o.because += "; there is room for " + robots;
-  for (std::size_t k = 0; k < centres->size(); ++k) {
-    const std::int64_t x_mm = in_mm((*centres)[k].x), y_mm = in_mm((*centres)[k].y);
-    for (const Need& need : zones) {
-      Claim claim = place_claim(s, need.zone, x_mm, y_mm, need.clearance_mm);
-      claim.values["robot"] = std::to_string(k);
-      o.claims.push_back(std::move(claim));
-    }
-  }
-  return o;
-}
-
 Obligation together(const Subject& s, const JointNeeds& needs) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -432,7 +395,9 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     for (Claim& claim : returned_claims(s, x_mm, y_mm, std::nullopt)) {
       o.claims.push_back(std::move(claim));
     }
-    return all_at_once(s, needs.zones, std::move(o));
+    return needs.zones.empty()
+               ? o
+               : all_at_once(s, needs.zones, floor_of(s, needs.zones), std::move(o));
   }
   // `shrink` takes up to 1 mm more than it is asked for
   geometry::Region common = geometry::Region::everywhere();
@@ -507,7 +472,7 @@ Obligation returns_together(const Subject& s) {
     o.because = never;
     const std::vector<Need> zones = joint_needs_of(s).zones;
     const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
-    o.repair = flat ? smaller_distance(s, RoomForAll(s, zones), centres_apart_mm(s))
+    o.repair = flat ? smaller_distance(s, floor_of(s, zones))
                     : "a wider zone works, or a smaller distance";
     return o;
   }

@@ -11,6 +11,7 @@
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/room_for_all.h"
 
 namespace rtac::verify {
 namespace {
@@ -105,7 +106,7 @@ class Together {
                              {"extra_us", std::to_string(s_.decision.return_extra_us)},
                              {"gap_mm", std::to_string(band_.gap_mm)}}});
       }
-      return o;
+      return all_at_once(s_, joint_.zones, floor_at(spot->z_mm), std::move(o));
     }
     o.status =
         common(3, true).empty() || common(3, false).empty() ? Status::refuted : Status::unknown;
@@ -119,14 +120,32 @@ class Together {
   }
 
  private:
-  [[nodiscard]] bool accepts(const Spot& spot) const {
+  [[nodiscard]] bool is_clear_of(const std::vector<Need>& zones, const Spot& spot) const {
     const geometry::Point p{in_m(spot.x_mm), in_m(spot.y_mm)};
-    return spot.z_mm >= band_.least_mm && spot.z_mm <= band_.most_mm &&
-           std::all_of(needs_.begin(), needs_.end(), [&](const Need& need) {
-             const Rational gap = in_m(need.clearance_mm);
-             return s_.module[need.zone].has_height() ? is_clear(s_.solid(need.zone), spot, gap)
-                                                      : is_clear(s_.exact(need.zone), p, gap);
-           });
+    return std::ranges::all_of(zones, [&](const Need& need) {
+      const Rational gap = in_m(need.clearance_mm);
+      return s_.module[need.zone].has_height() ? is_clear(s_.solid(need.zone), spot, gap)
+                                               : is_clear(s_.exact(need.zone), p, gap);
+    });
+  }
+  [[nodiscard]] bool accepts(const Spot& spot) const {
+    return spot.z_mm >= band_.least_mm && spot.z_mm <= band_.most_mm && is_clear_of(needs_, spot);
+  }
+  // Of the height at which one robot is given back.
+  [[nodiscard]] Floor floor_at(std::int64_t z_mm) const {
+    Floor floor;
+    const geometry::Solid left = common(0, true);
+    for (const geometry::Slab& slab : left.slabs()) {
+      for (const geometry::Ring& ring : slab.region.rings()) {
+        floor.corners += ring.size();
+        floor.around.push_back(ring);
+      }
+    }
+    floor.has = [this, z_mm](const geometry::Point& p) {
+      return is_clear_of(joint_.zones, {in_mm(p.x), in_mm(p.y), z_mm});
+    };
+    floor.z_mm = z_mm;
+    return floor;
   }
   [[nodiscard]] std::optional<Spot> find() const {
     for (const Need& need : needs_) {

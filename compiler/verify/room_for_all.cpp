@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/support/words.h"
 #include "compiler/verify/common_place.h"
 
 namespace rtac::verify {
@@ -20,13 +21,11 @@ geometry::Point place(double x_mm, double y_mm) {
           analysis::metres_of(static_cast<std::int64_t>(y_mm))};
 }
 
-// How many lines a net has each way: at each knot every corner of the zones is looked at.
-int lines_for(const Subject& s, const std::vector<Need>& all) {
+// How many lines a net has each way.
+int lines_for(std::size_t corners) {
   constexpr double looks_max = 200'000;
-  std::size_t corners = 1;
-  for (const Need& need : all) corners += s.exact(need.zone).vertices();
   return static_cast<int>(
-      std::clamp(std::sqrt(looks_max / static_cast<double>(corners)), 12.0, 64.0));
+      std::clamp(std::sqrt(looks_max / static_cast<double>(corners + 1)), 12.0, 64.0));
 }
 
 // From the first to the last whole millimetre of a side.
@@ -41,32 +40,98 @@ struct Side {
   }
 };
 
-}  // namespace
-
-std::int64_t centres_apart_mm(const Subject& s) {
-  const std::int64_t separation_mm = analysis::sure_separation_mm(s.decision);
-  return separation_mm > 0 ? separation_mm + 2 * s.decision.body.radius_mm : 0;
+// How far apart the centres of any two robots have to be to be given back both, and how much of
+// that is asked for. Neither is held then: each reckons with its own reach, and with that of the
+// other one from a message that is as old as it may be; both are measured beside where they are.
+struct Apart {
+  std::int64_t centres_mm = 0, asked_mm = 0;
+};
+Apart apart_of(const Subject& s) {
+  const ir::Decision& d = s.decision;
+  Apart most;
+  for (const ir::Monitor& m : d.monitors) {
+    const std::int64_t asked_mm = analysis::sure_separation_mm(m.property, d.facts.params);
+    if (asked_mm == 0) continue;
+    const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
+    const std::int64_t centres_mm =
+        asked_mm + 2 * d.body.position_error_mm + analysis::return_clearance_mm(d, ahead_us) +
+        analysis::return_clearance_mm(d, ahead_us + d.body.hears_age_us);
+    if (centres_mm > most.centres_mm) most = {centres_mm, asked_mm};
+  }
+  return most;
 }
 
-// A net over what is left of the zones.
-RoomForAll::RoomForAll(const Subject& s, const std::vector<Need>& all)
-    : robots_(static_cast<std::size_t>(s.decision.robots)) {
+std::size_t robots_of(const Subject& s) {
+  return static_cast<std::size_t>(s.decision.robots);
+}
+
+std::string smaller(const RoomForAll& room, const Apart& apart) {
+  const auto most_mm = room.most_apart_mm(apart.centres_mm);
+  const std::int64_t left_mm = most_mm.value_or(0) - (apart.centres_mm - apart.asked_mm);
+  return left_mm > 0 ? "a distance of at most " + metres(left_mm) + " works, or a wider zone"
+                     : "a wider zone works";
+}
+
+}  // namespace
+
+Floor floor_of(const Subject& s, const std::vector<Need>& all) {
+  Floor floor;
   geometry::Region common = geometry::Region::everywhere();
   for (const Need& need : all) {
     const auto deep = analysis::within(s.exact(need.zone), need.clearance_mm);
-    if (!deep) return;
-    common = common.intersect(*deep);
+    common = deep ? common.intersect(*deep) : geometry::Region();
+    floor.corners += s.exact(need.zone).vertices();
   }
+  floor.around = common.rings();
+  floor.has = [&s, all](const geometry::Point& p) { return is_clear(s, all, p); };
+  return floor;
+}
+
+std::string smaller_distance(const Subject& s, const Floor& floor) {
+  return smaller(RoomForAll(robots_of(s), floor), apart_of(s));
+}
+
+Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const Floor& floor,
+                       Obligation o) {
+  const Apart apart = apart_of(s);
+  if (robots_of(s) < 2 || apart.asked_mm == 0 || zones.empty()) return o;
+  const std::string robots = std::to_string(robots_of(s));
+  const RoomForAll room(robots_of(s), floor);
+  const auto centres = room.centres(apart.centres_mm);
+  if (!centres) {
+    o.status = Status::unknown;
+    o.method = "no proof";
+    o.because = "no places were found where " + robots + " robots are given back, their centres " +
+                metres(apart.centres_mm) + " apart";
+    o.repair = smaller(room, apart);
+    o.claims.clear();
+    return o;
+  }
+  o.because += "; there is room for " + robots;
+  for (std::size_t k = 0; k < centres->size(); ++k) {
+    const std::int64_t x_mm = in_mm((*centres)[k].x), y_mm = in_mm((*centres)[k].y);
+    for (const Need& need : zones) {
+      Claim claim = place_claim(s, need.zone, x_mm, y_mm, need.clearance_mm);
+      if (floor.z_mm) claim.values["z_mm"] = std::to_string(*floor.z_mm);
+      claim.values["robot"] = std::to_string(k);
+      o.claims.push_back(std::move(claim));
+    }
+  }
+  return o;
+}
+
+// A net over all of it.
+RoomForAll::RoomForAll(std::size_t robots, const Floor& floor) : robots_(robots) {
   Side across, up;
-  for (const geometry::Ring& ring : common.rings()) {
+  for (const geometry::Ring& ring : floor.around) {
     for (const geometry::Point& p : ring) across.take(p.x), up.take(p.y);
   }
   if (across.low > across.high) return;
-  const int lines = lines_for(s, all);
+  const int lines = lines_for(floor.corners);
   for (int row = 0; row <= lines; ++row) {
     for (int column = 0; column <= lines; ++column) {
       const Spot at{across.at(column, lines), up.at(row, lines)};
-      if (is_clear(s, all, place(at.x, at.y))) by_row_.push_back(at);
+      if (floor.has(place(at.x, at.y))) by_row_.push_back(at);
     }
   }
   by_column_ = by_row_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -9,14 +10,18 @@
 
 namespace rtac::verify {
 
-// How far apart the centres of any two robots of the decision are to be, by its properties.
-// 0: nothing is asked of the others.
-std::int64_t centres_apart_mm(const Subject& s);
+// Where a robot is given back: places of the plane, or all of one height.
+struct Floor {
+  std::vector<geometry::Ring> around;  // none of them lies outside of the box of these
+  std::size_t corners = 0;             // of zones, which each look at a place goes through
+  std::function<bool(const geometry::Point&)> has;
+  std::optional<std::int64_t> z_mm{};
+};
 
-// Places in the plane for all robots, each as clear as `all` asks (which is not empty).
+// Places for all robots on such a floor.
 class RoomForAll {
  public:
-  RoomForAll(const Subject& s, const std::vector<Need>& all);
+  RoomForAll(std::size_t robots, const Floor& floor);
 
   // Centres, one a robot and in whole millimetres, any two at least `apart_mm` apart. none: none
   // were found, which shows nothing.
@@ -40,5 +45,16 @@ class RoomForAll {
   std::size_t robots_;
   Spots by_row_, by_column_;
 };
+
+// Of zones of the plane, where a robot is as clear as `all` asks.
+Floor floor_of(const Subject& s, const std::vector<Need>& all);
+
+// Of `o`, by which one robot at rest is given back on that floor, that all of them are, while each
+// keeps from the others what it is asked. As it is where nothing is asked of others.
+Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const Floor& floor,
+                       Obligation o);
+
+// What works instead of a distance that leaves no room for all robots.
+std::string smaller_distance(const Subject& s, const Floor& floor);
 
 }  // namespace rtac::verify
