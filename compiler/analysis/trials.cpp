@@ -11,12 +11,18 @@ namespace {
 // is offered does not hang on what else the machine does.
 constexpr int runs_most = 200, seconds_most = 30, seconds_of_remark_most = 10;
 // Of these, runs that ask what is shown; after that, reports alone have to do.
-constexpr int shown_most = 40;
+constexpr int shown_most = 40, seconds_of_shown_most = 5;
 // Where a run takes long, a number is looked for to within this share of it.
 constexpr std::int64_t near_enough = 200;
 // From the guess to the last number, each so many times nearer to that.
 constexpr std::int64_t times_farther = 4;
 constexpr std::size_t probes_most = 6;
+
+// So much less, or more, than is written is no repair.
+bool is_another_robot(std::int64_t written, std::int64_t steps) {
+  constexpr std::int64_t times = 10;
+  return written > 0 && (steps * times < written || steps > written * times);
+}
 
 std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
   std::vector<std::int64_t> all{guess};
@@ -90,10 +96,18 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& wo
       at->second = run_(!dial.of_zone, worth);
     }
     dial.restore();
-    ticks_ += std::clock() - start;
-    if (at->second && worth(*at->second)) ++shown_;
+    const std::clock_t took = std::clock() - start;
+    ticks_ += took;
+    if (at->second && at->second->complete) {
+      ++shown_;
+      ticks_of_shown_ += took;
+    }
   }
   return at->second ? &*at->second : nullptr;
+}
+
+bool Trials::may_show() const {
+  return shown_ < shown_most && ticks_of_shown_ / CLOCKS_PER_SEC < seconds_of_shown_most;
 }
 
 bool Trials::mends(const Faults& found, const Goal& goal) {
@@ -136,9 +150,14 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   // to ask what is shown takes longer: first by the reports alone, and that is mostly it
   const Goal by_reports{fault, all_of, false}, shown{fault, all_of, true};
   const auto first = least_wrong(dial, guess, by_reports);
-  if (!first || reports_alone_ || shown_ >= shown_most) return first;
+  if (first && is_remark(fault.code) && is_another_robot(dial.written, *first)) return std::nullopt;
+  if (!first || reports_alone_ || !may_show()) return first;
   const auto best = least_wrong(dial, *first, shown);
-  return best || shown_ < shown_most ? best : first;
+  if (!best) return may_show() ? best : first;
+  // a report that is gone may have been about one place of several
+  const auto found = known_.find({dial.name, *best});
+  const bool is_shown = found->second && open_at(*found->second, fault) == 0;
+  return is_remark(fault.code) && !is_shown ? std::nullopt : best;
 }
 
 std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,
@@ -150,7 +169,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
     return wrong(found) + (goal.shown ? open_at(found, goal.fault) : 0);
   };
   const Worth mends_it = [&](const Faults& found) {
-    return goal.shown && mends(found, goal) && shown_ < shown_most;
+    return goal.shown && mends(found, goal) && may_show();
   };
   const int most_seconds = is_remark(goal.fault.code) ? seconds_of_remark_most : seconds_most;
   std::optional<std::int64_t> good;

@@ -77,6 +77,8 @@ class Trials {
   const Faults& as_written(bool shown);
   // nullptr: refused, or too many
   const Faults* with(const Dial& dial, std::int64_t steps, const Worth& worth, int most_seconds);
+  // Whether there is time to ask what is shown.
+  [[nodiscard]] bool may_show() const;
   bool mends(const Faults& found, const Goal& goal);
   [[nodiscard]] std::ptrdiff_t open_at(const Faults& found, const Fault& fault) const;
 
@@ -84,7 +86,7 @@ class Trials {
   Run run_;
   bool reports_alone_ = false;
   int runs_ = 0, shown_ = 0;
-  std::clock_t ticks_ = 0;
+  std::clock_t ticks_ = 0, ticks_of_shown_ = 0;
   std::optional<Faults> as_written_;
   bool asked_ = false;  // what is not shown of it
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;

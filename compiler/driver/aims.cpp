@@ -103,7 +103,7 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
   // whoever keeps the other monitor engaged does so until the charge is gone
   if (o.unending) return {aimed_at_charge(o.monitor, 20, 3600)};
   std::vector<Scenario> all;
-  if (o.locked_within_mm) {
+  if (o.lock_up) {
     for (const verify::Start& start : o.starts) all.push_back(aimed_at_lock_up(o, start, robots));
     return all;
   }

@@ -1,5 +1,6 @@
 #include "compiler/driver/lock_up.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -9,7 +10,7 @@ namespace rtac::driver {
 namespace {
 
 struct Robot {
-  bool driven = false;  // by its advanced controller
+  bool waits = true;
   double x_m = 0, y_m = 0;
 };
 using Robots = std::map<std::size_t, Robot>;
@@ -17,7 +18,7 @@ using Robots = std::map<std::size_t, Robot>;
 // Who waits drives nowhere, and is nobody else's fault.
 bool are_left_alone(const Robots& robots, std::size_t waiting, double within_m) {
   for (const auto& [i, robot] : robots) {
-    if (!robot.driven) continue;
+    if (robot.waits) continue;
     if (i < waiting) return false;
     for (const auto& [k, other] : robots) {
       const double away_m = std::hypot(robot.x_m - other.x_m, robot.y_m - other.y_m);
@@ -29,7 +30,7 @@ bool are_left_alone(const Robots& robots, std::size_t waiting, double within_m) 
 
 }  // namespace
 
-bool locks_up(const std::string& trace, std::size_t waiting, std::int64_t within_mm) {
+bool locks_up(const std::string& trace, std::size_t waiting, const verify::LockUp& how) {
   constexpr double mm_per_m = 1000;
   bool kept = false, safe = false;
   Robots robots;
@@ -42,11 +43,14 @@ bool locks_up(const std::string& trace, std::size_t waiting, std::int64_t within
     words >> word;
     kept = kept || line.starts_with("end not given back: ");
     safe = safe || line == "end no violation";
-    if (word == "decide" && words >> robot >> mode) robots[robot].driven = mode == 0;
+    if (word == "decide" && words >> robot >> mode) {
+      robots[robot].waits = std::ranges::find(how.waiting, mode) != how.waiting.end();
+    }
     if (word == "truth" && words >> robot >> x >> y) {
       robots[robot].x_m = std::strtod(x.c_str(), nullptr);
       robots[robot].y_m = std::strtod(y.c_str(), nullptr);
-      if (!are_left_alone(robots, waiting, static_cast<double>(within_mm) / mm_per_m)) return false;
+      if (!are_left_alone(robots, waiting, static_cast<double>(how.within_mm) / mm_per_m))
+        return false;
     }
   }
   return kept && safe && robots.size() >= waiting;

@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
+
+#include "compiler/verify/obligation.h"
 
 namespace rtac::driver {
 
-// Whether none of the first `waiting` robots of a run is ever driven by its advanced controller,
-// and no robot that is comes within `within_mm` of one of them: who drives to and fro beside a
-// robot keeps it there, whatever that does.
-bool locks_up(const std::string& trace, std::size_t waiting, std::int64_t within_mm);
+// Whether the first `robots` robots of a run wait from its beginning to its end, and no robot that
+// does not comes near to one of them: who drives to and fro beside a robot keeps it there, whatever
+// that does.
+bool locks_up(const std::string& trace, std::size_t robots, const verify::LockUp& how);
 
 }  // namespace rtac::driver

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -158,16 +159,27 @@ class Showing {
     left_s_ -= took_s;
     if (shown_ > 0 && sought.rank() > 0) besides_s_ -= took_s;
     if (status != exit_violation) return played(table);
-    if (!shows(trace, scenario, *sought.of)) return std::nullopt;
+    if (const auto seed = not_locked(trace, scenario, *sought.of)) {
+      const std::uint64_t done = *seed + 1 - scenario.value("seed", std::uint64_t{1});
+      return done < scenario["runs"].get<std::uint64_t>() ? std::optional(done) : std::nullopt;
+    }
     sought.run = trace;
     ++shown_;
     return std::nullopt;
   }
-  // Of robots that wait for each other, only what nobody else has a part in.
-  static bool shows(const std::string& trace, const Scenario& scenario, const Obligation& o) {
-    if (!o.locked_within_mm) return true;
+  // Of robots that wait for each other a run shows only what nobody else has a part in. The seed of
+  // one that does not show it; none: it does.
+  static std::optional<std::uint64_t> not_locked(const std::string& trace, const Scenario& scenario,
+                                                 const Obligation& o) {
+    if (!o.lock_up) return std::nullopt;
     const auto run = read_file(trace);
-    return run && locks_up(*run, scenario["starts"].size(), *o.locked_within_mm);
+    if (run && locks_up(*run, scenario["starts"].size(), *o.lock_up)) return std::nullopt;
+    constexpr std::string_view before = "\nseed ";
+    constexpr int decimal = 10;
+    const std::size_t at = run ? run->find(before) : std::string::npos;
+    return at == std::string::npos
+               ? std::numeric_limits<std::uint64_t>::max() - 1  // none is left
+               : std::strtoull(run->c_str() + at + before.size(), nullptr, decimal);
   }
   // That a recovery may break it: a run in which it fails says nothing of others.
   static bool accepted(const sema::Decision& d, sema::MonitorId id) {

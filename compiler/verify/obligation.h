@@ -46,6 +46,14 @@ struct Start {
   std::optional<std::int64_t> battery_ppm{};           // of a full one
 };
 
+// Robots that wait for each other: those of a start, while nobody else drives so near to one of
+// them. Waiting is what recoveries have them do of their own, the k-th monitor's as mode k + 1, and
+// not what inputs, agents or anything external make of it.
+struct LockUp {
+  std::int64_t within_mm = 0;
+  std::vector<int> waiting{};  // modes
+};
+
 struct Obligation {
   Kind kind{};
   std::string monitor;   // empty: of the decision
@@ -70,9 +78,7 @@ struct Obligation {
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;
-  // Of P2b, by a run: the robots of its start wait for each other, and no other one comes so near
-  // to one of them meanwhile.
-  std::optional<std::int64_t> locked_within_mm{};
+  std::optional<LockUp> lock_up{};  // of P2b, which a run shows
   // Of P2b: how long a run waits for control, at least, before it counts as never given back.
   std::int64_t patience_s = 0;
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what

@@ -133,6 +133,19 @@ NoWay no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
   return {};
 }
 
+bool speaks_of_inputs(const ir::Block& block) {
+  return std::ranges::any_of(block.values, [](const ir::Value& v) {
+    const auto* fact = std::get_if<ir::Fact>(&v.op);
+    const ir::Block* const body = ir::body_of(v.op);
+    return (fact != nullptr && !fact->of_robot) || (body != nullptr && speaks_of_inputs(*body));
+  });
+}
+// Whether nothing but places and other robots has the recovery of a monitor drive.
+bool waits_by_itself(const ir::Monitor& m) {
+  return m.recovery.kind != ir::RecoveryKind::external && !atoms_of(m.property).agent &&
+         !speaks_of_inputs(m.property);
+}
+
 // What nothing is known of, but that a run may show robots which wait for each other for ever, from
 // one of `starts`.
 Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vector<Start> starts,
@@ -140,7 +153,11 @@ Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vecto
   if (starts.empty()) return o;
   o.starts = std::move(starts);
   // whoever drives farther off is in nobody's way (YieldManoeuvre)
-  o.locked_within_mm = 2 * yield.pass_gap_mm + 4 * s.decision.body.position_error_mm;
+  LockUp lock_up{2 * yield.pass_gap_mm + 4 * s.decision.body.position_error_mm};
+  for (std::size_t i = 0; i < s.decision.monitors.size(); ++i) {
+    if (waits_by_itself(s.decision.monitors[i])) lock_up.waiting.push_back(static_cast<int>(i) + 1);
+  }
+  o.lock_up = std::move(lock_up);
   o.status = Status::refuted;
   o.method = "robots that wait for each other";
   o.by_a_run = true;

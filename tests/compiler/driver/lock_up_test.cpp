@@ -18,12 +18,17 @@ std::string run(int second_mode, double third_m, int third_mode, const std::stri
          " 0 0 0\nend not given back: a from_us 0 until_us 120000000\n" + end + "\n";
 }
 bool shows(const std::string& trace) {
-  return locks_up(trace, 2, 3000);
+  return locks_up(trace, 2, {3000, {1}});
 }
 
 TEST(LockUp, NobodyIsDrivenByItsAdvancedController) {
   EXPECT_TRUE(shows(run(1, 9, 1, "end no violation")));
   EXPECT_FALSE(shows(run(0, 9, 1, "end no violation")));
+}
+// Nor by what an input asks for, or something external.
+TEST(LockUp, NobodyIsKeptByAnythingElse) {
+  EXPECT_FALSE(shows(run(2, 9, 1, "end no violation")));
+  EXPECT_FALSE(shows(run(1, 3.4, 2, "end no violation")));
 }
 TEST(LockUp, NobodyElseDrivesNearBy) {
   EXPECT_TRUE(shows(run(1, 3.6, 0, "end no violation")));
