@@ -621,9 +621,4 @@ std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
   return Deriver(spec, sources, diagnostics, judge).run(finding);
 }
 
-Faults faults_with(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
-                   const Trials::Worth& worth) {
-  return Deriver::faults(spec, sources, judge, worth);
-}
-
 }  // namespace rtac::analysis

@@ -32,10 +32,6 @@ using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived deri
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses,
                               const Judge& judge = {});
-// What is wrong with a specification, and if that is `worth` it, what is not shown of it.
-Faults faults_with(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
-                   const Trials::Worth& worth);
-
 // What `rtac check` tells about one monitor, in mm and us.
 struct MonitorSummary {
   std::string monitor;

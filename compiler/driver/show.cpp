@@ -26,7 +26,7 @@ using verify::Obligation;
 // In core seconds, of all obligations together: as long as a person waits for runs, unless
 // `--attack` says otherwise; large fleets are slow, and partial results are results. What shows
 // anything mostly does so within the first second: every attempt gets that before one gets more.
-constexpr double all_core_s = 20, first_core_s = 1, then_core_s = 4;
+constexpr double all_core_s = 12, first_core_s = 1, then_core_s = 4;
 // What nothing but a run refutes gets so much beside something that is shown: whatever comes of it,
 // the specification is refuted.
 constexpr double besides_core_s = 6;

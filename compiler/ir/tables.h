@@ -20,6 +20,9 @@ enum class ReceivedIndex : std::uint32_t {};
 struct Edge {  // mm; the zone on its left; unit direction in Q30
   std::int32_t ax, ay, bx, by, ux_q30, uy_q30;
 };
+inline bool is_along_an_axis(const Edge& e) {
+  return e.ax == e.bx || e.ay == e.by;
+}
 // Which edges matter for a place, so that a check looks at a few of them: a square of 2^32 mm is
 // divided by 16 again and again. What the words mean: codegen/kernel/zone_cells.c.
 struct EdgeTree {

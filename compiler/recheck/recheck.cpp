@@ -427,6 +427,8 @@ class Check {
              {{"monitor", m.name}, {"zone", zones.name(inner)}, {"fence", zones.name(outer)}});
       }
     }
+    // of an `or` with a limit of speed, who is slow has no height to keep
+    if (Sides(spec_, d, claims_).holds_of_slow(recovery, *m.always)) return;
     if (keeps_its_heights(spec_, d, claims_, recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` may go beyond a height that `" + m.name +
          "` allows");

@@ -171,6 +171,11 @@ bool Sides::keeps_limits(const sema::Controller& recovery, const sema::Expr& pro
   return speed && within_limits(plain({&property, true}), *speed);
 }
 
+bool Sides::holds_of_slow(const sema::Controller& recovery, const sema::Expr& property) {
+  const auto speed = claimed_speed_of(recovery);
+  return speed && slow(plain({&property, true}), *speed);
+}
+
 // An `or` with zones is kept as the zones say, and one with inputs by who takes over.
 bool Sides::within_limits(const Part& part, const Rational& speed) {
   const Split parts = split(part);

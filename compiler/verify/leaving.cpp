@@ -31,9 +31,6 @@ Box around(const Box& box, std::int64_t by_mm) {
 Box box_of(const ir::Edge& e) {
   return {std::min(e.ax, e.bx), std::min(e.ay, e.by), std::max(e.ax, e.bx), std::max(e.ay, e.by)};
 }
-bool is_straight(const ir::Edge& e) {
-  return e.ax == e.bx || e.ay == e.by;
-}
 // Where a place is from the line of an edge, that is along an axis; the zone is where that is more.
 std::int64_t off_mm(const ir::Edge& e, std::int64_t x_mm, std::int64_t y_mm) {
   if (e.ax == e.bx) return e.by > e.ay ? e.ax - x_mm : x_mm - e.ax;
@@ -71,7 +68,7 @@ std::optional<Box> rectangle(const ir::ZoneTable& zone) {
   if (zone.has_height() || zone.edges.size() != 4) return std::nullopt;
   Box all = box_of(zone.edges.front());
   for (const ir::Edge& e : zone.edges) {
-    if (!is_straight(e)) return std::nullopt;
+    if (!ir::is_along_an_axis(e)) return std::nullopt;
     const Box each = box_of(e);
     all = {std::min(all.left, each.left), std::min(all.low, each.low),
            std::max(all.right, each.right), std::max(all.top, each.top)};
@@ -127,7 +124,7 @@ class Ways {
     return "the boundary from " + place(e.ax, e.ay) + " to " + place(e.bx, e.by);
   }
   [[nodiscard]] bool matters(const ir::Edge& e, std::int64_t near_mm) const {
-    if (is_straight(e)) return overlap(in_front_of(e, near_mm), own_);
+    if (ir::is_along_an_axis(e)) return overlap(in_front_of(e, near_mm), own_);
     return overlap(around(box_of(e), near_mm), own_);
   }
   // Straight ways from anywhere to the site come no nearer to an edge than their ends, if the site
@@ -135,7 +132,7 @@ class Ways {
   [[nodiscard]] std::string past(const ir::Edge& e, std::int64_t keeps_mm,
                                  std::int64_t near_mm) const {
     if (!matters(e, near_mm)) return "";
-    if (!is_straight(e)) return text_of(e) + " does not run along the cells of the ways";
+    if (!ir::is_along_an_axis(e)) return text_of(e) + " does not run along the cells of the ways";
     return unseen(e, keeps_mm);
   }
   [[nodiscard]] std::string unseen(const ir::Edge& e, std::int64_t keeps_mm) const {
@@ -153,7 +150,7 @@ class Ways {
   [[nodiscard]] std::string corner(const ir::Edge& e, const ir::Edge& next, std::int64_t keeps_mm,
                                    std::int64_t near_mm) const {
     const Box at{e.bx, e.by, e.bx, e.by};
-    const bool straight = is_straight(e) && is_straight(next);
+    const bool straight = ir::is_along_an_axis(e) && ir::is_along_an_axis(next);
     if (!overlap(straight ? beyond(e, next, near_mm) : around(at, near_mm), own_)) return "";
     if (!straight) return text_of(e) + " does not run along the cells of the ways";
     for (const ir::Edge* each : {&e, &next}) {

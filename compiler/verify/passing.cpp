@@ -192,7 +192,8 @@ Obligation beside(const Subject& s, const ir::Recovery& yield, const ir::Monitor
               quoted(other.recovery.name) + " may drive, which makes no room for others";
   const std::string& too = more.empty() ? none.why : more;
   if (!more.empty()) o.because += "; " + more;
-  if (too.empty() && !s.decision.coordinated) {
+  // below it, what inputs ask for would be broken instead
+  if (too.empty() && !s.decision.coordinated && waits_by_itself(other)) {
     o.repair = quoted(o.monitor) + " ranked above " + quoted(other.name) + "; or " + o.repair;
   }
   std::vector<Start> starts = lock_ups(s, yield, &other);

@@ -215,8 +215,7 @@ bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& 
 // one is, or all edges run along the axes, where it knows clearances to the millimetre.
 std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
   const ir::ZoneTable& zone = s.module[last.zone];
-  const bool along_axes = std::ranges::all_of(
-      zone.edges, [](const ir::Edge& e) { return e.ax == e.bx || e.ay == e.by; });
+  const bool along_axes = std::ranges::all_of(zone.edges, ir::is_along_an_axis);
   const std::int64_t room_mm = analysis::room_mm(s.decision, last, zone);
   if (!ir::goes_back(last.kind) || along_axes) return "";
   if (room_mm >= last.return_clearance_mm + analysis::recheck_misses_mm) return "";
@@ -275,13 +274,20 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     return o;
   }
   const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
+  // a property of places may have its robot elsewhere when it engages
+  const ir::Monitor& m = s.decision.monitors[k];
+  const std::vector<ir::ZoneIndex> fences =
+      analysis::sure_fences(m.property, s.decision.facts.params);
+  const bool begins_inside =
+      !atoms_of(m.property).clearance || std::ranges::find(fences, last.zone) != fences.end();
   o.status = Status::proved;
   o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
               metres(back_mm(s, last)) +
               (bound ? ", within " + seconds(*bound) +
                            (atoms_of(s.decision.monitors[k].property).energy
                                 ? ", and what it takes to charge"
-                                : " in all")
+                            : begins_inside ? " in all"
+                                            : " from there")
                      : ", along cells that it enters once each");
   Claim claim = with_cells({"ways",
                             {{"decision", s.decision.name},

@@ -187,8 +187,6 @@ void expect_priced(const RobotLimits& limits, double speed_mps) {
     for (const std::vector<Vec2>& way : {stairs(cells), straight, back}) {
       const auto legs = static_cast<int>(way.size());
       const double driven = driven_s<Output>(limits, speed_mps, way);
-      if (&way != &back) {
-      }
       EXPECT_LE(driven, priced_s(limits, speed_mps, length_m(way)))
           << speed_mps << " m/s, " << cells << " cells, " << legs << " legs";
       EXPECT_LE(driven, few_legs_seconds(kind_of(limits), milli(speed_mps), period_us, legs, 2,

@@ -88,6 +88,42 @@ TEST_F(Sides, AWayFromOneZoneIntoAnotherStaysInOneOfThem) {
   EXPECT_NE(status(hall_with(on_a_side, east_from("7.6 m"), home), "P2a"), "proved");
   EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
 }
+// Who is engaged on the other side has a way to go before the one that is timed begins.
+TEST_F(Sides, HowLongAWayTakesIsSaidOfItsOwnZone) {
+  const std::string east = east_from("6 m");
+  const auto said = [&](const std::string& controller) {
+    return verified(hall_with(on_a_side, east, controller)).out;
+  };
+  EXPECT_NE(said("retreat within west speed 0.2 m/s").find(" s from there"), std::string::npos);
+}
+// The side of a height is not kept, and need not be by who is slow.
+TEST_F(Sides, AHeightOrALimitOfSpeedIsFoundOnceMore) {
+  const auto arena = [](const std::string& most) {
+    return R"(spec arena;
+zone box = prism (rectangle (0 m, 0 m) to (30 m, 20 m)) from 1 m to 15 m;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller show : advanced for Quad extern;
+controller stop : safe for Quad = brake_and_hold;
+controller back : safe for Quad = retreat within box speed 0.5 m/s;
+monitor cage for r : Quad { "R1" always r inside box; recover back; }
+monitor m for r : Quad { "R2" always r.position.z >= 4 m or r.speed <= )" +
+           most + R"(; recover stop; }
+decision fly for Quad { advanced show; period 50 ms; priority cage > m; }
+)";
+  };
+  expect_proved(arena("1 m/s"));
+  write("certificates/sources/spec.rta", arena("0.4 m/s"));
+  const Outcome forged = recheck_sealed_anew();
+  EXPECT_EQ(forged.status, exit_violation) << forged.out << forged.err;
+}
 // Two rooms apart, of which nobody leaves one for the other.
 TEST_F(Sides, ZonesThatAreApartAreKept) {
   expect_proved(hall_with(on_a_side, east_from("9 m") + "zone rooms = west | east;\n",
