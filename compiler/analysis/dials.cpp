@@ -172,19 +172,29 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
   return trials.nearest(dial, 1, fault, all_of).has_value();
 }
 
-std::optional<std::string> drive_that_works(Trials& trials, const Fault& fault, sema::KindId kind,
-                                            const Rational& share) {
-  constexpr int per_unit = 10'000;
+std::optional<std::string> consumption_that_works(Trials& trials, const Fault& fault,
+                                                  sema::KindId kind, const Rational& share) {
   sema::RobotKind& robot = trials.spec().kinds[static_cast<std::size_t>(kind)];
   if (!robot.energy || share <= 0) return std::nullopt;
-  sema::Quantity& drive = robot.energy->drive;
-  const std::int64_t written = floor_to_int(Rational(drive.value * per_unit));
-  const std::int64_t guess =
-      std::min(floor_to_int(Rational(drive.value * per_unit / share)), written);
-  if (guess < 1) return std::nullopt;
-  const auto found =
-      quantity_that_works(trials, {fault, per_unit, 0, guess, 1}, "drive of " + robot.name, drive);
-  return found ? std::optional(to_decimal(value_of(*found, per_unit / 100))) : std::nullopt;
+  struct Consumption {
+    sema::Quantity& quantity;
+    const char *name, *unit;
+    int per_unit;
+  };
+  for (const auto& [quantity, name, unit, per_unit] :
+       {Consumption{robot.energy->drive, "drive", "%/m", 10'000},
+        Consumption{robot.energy->idle, "idle", "%/s", 1'000'000}}) {
+    const std::int64_t written = floor_to_int(Rational(quantity.value * per_unit));
+    const std::int64_t guess =
+        std::min(floor_to_int(Rational(quantity.value * per_unit / share)), written);
+    if (guess < 1) continue;
+    const auto found = quantity_that_works(trials, {fault, per_unit, 0, guess, 1},
+                                           name + (" of " + robot.name), quantity);
+    if (!found) continue;
+    return std::string("`") + name + "` of at most " +
+           to_decimal(value_of(*found, per_unit / 100)) + " " + unit;
+  }
+  return std::nullopt;
 }
 
 }  // namespace rtac::analysis

@@ -397,10 +397,10 @@ class Judge {
                        "sure to have " +
                            percent(shown_full_ppm(decision_.body))});
     const auto works = that_works(source, 1'000'000, least, best - strict);
-    const auto drive = works ? std::nullopt : drive_for(source, least - best);
-    d.help = works   ? "`" + percent(*works) + "` works" + beyond
-             : drive ? "`drive` of at most " + *drive + " %/m works; or a nearer site"
-                     : "no charge works" + beyond + ": " + shown_for(source, least - best);
+    const auto less = works ? std::nullopt : consumption_for(source, least - best);
+    d.help = works  ? "`" + percent(*works) + "` works" + beyond
+             : less ? *less + " works; or a nearer site"
+                    : "no charge works" + beyond + ": " + shown_for(source, least - best);
     return d;
   }
   // With which a full battery is seen to have so much more.
@@ -417,13 +417,14 @@ class Judge {
     return full_ppm > 0 ? "a nearer site is needed" : "its battery has to be measured better";
   }
   // With which a battery has as much as is missing.
-  std::optional<std::string> drive_for(const SourceRange& source, std::int64_t missing_ppm) const {
+  std::optional<std::string> consumption_for(const SourceRange& source,
+                                             std::int64_t missing_ppm) const {
     if (of_ == nullptr || of_->trials == nullptr) return std::nullopt;
     const std::int64_t full_ppm = shown_full_ppm(decision_.body);
     if (full_ppm <= 0) return std::nullopt;
     const Rational share(static_cast<long>(full_ppm + missing_ppm), static_cast<long>(full_ppm));
-    return drive_that_works(*of_->trials, fault_of(diag::Code::return_set_empty, source),
-                            of_->written.kind, share);
+    return consumption_that_works(*of_->trials, fault_of(diag::Code::return_set_empty, source),
+                                  of_->written.kind, share);
   }
   // In place of what a comparison asks for: the nearest number with which all of the monitor works.
   // `guess`: with which this finding is gone.

@@ -194,18 +194,22 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
     return found != nullptr && !found->all.contains(goal.fault) && no_more_wrong(*found, *left) &&
            no_less(*found, *left);
   };
+  // so do those of zones that have to grow by more than a hall is wide, in mm
+  constexpr std::int64_t far_growth = 10'000;
+  const bool takes_long =
+      goal.shown || is_remark(goal.fault.code) || (dial.of_zone && *good > far_growth);
+  const auto enough = [&] {
+    return takes_long ? std::max<std::int64_t>(1, *good / near_enough) : 1;
+  };
   // most guesses are right, or nearly so
-  for (std::int64_t by = bad > *good ? 1 : -1; std::abs(bad - *good) > std::abs(by); by *= 2) {
+  for (std::int64_t by = bad > *good ? enough() : -enough(); std::abs(bad - *good) > std::abs(by);
+       by *= 2) {
     if (!works(*good + by)) {
       bad = *good + by;
       break;
     }
     *good += by;
   }
-  const bool takes_long = goal.shown || is_remark(goal.fault.code);
-  const auto enough = [&] {
-    return takes_long ? std::max<std::int64_t>(1, *good / near_enough) : 1;
-  };
   while (std::abs(bad - *good) > enough()) {
     const std::int64_t middle = *good + (bad - *good) / 2;
     if (works(middle)) {

@@ -357,16 +357,15 @@ class WellFormed {
     const std::int64_t full = 1'000'000 - decision.body.battery_error_ppm;
     if (most + decision.hold_reserve_ppm < full) return;
     const std::string other = "a faster `" + monitor.recovery.name + "` or a nearer site";
-    const auto drive = trials_ != nullptr
-                           ? drive_that_works(*trials_, fault_of(Code::site_unreachable, range),
-                                              written, Rational(most) / full)
-                           : std::nullopt;
-    report(
-        monitor, Code::site_unreachable, range,
-        "the way to " + what + " takes up to " +
-            to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
-            " % of a full battery, `held` and `detour` included",
-        drive ? "`drive` of at most " + *drive + " %/m works; or " + other : other + " is needed");
+    const auto less = trials_ != nullptr ? consumption_that_works(
+                                               *trials_, fault_of(Code::site_unreachable, range),
+                                               written, Rational(most) / full)
+                                         : std::nullopt;
+    report(monitor, Code::site_unreachable, range,
+           "the way to " + what + " takes up to " +
+               to_decimal(Rational(most + decision.hold_reserve_ppm, 10'000)) +
+               " % of a full battery, `held` and `detour` included",
+           less ? *less + " works; or " + other : other + " is needed");
   }
 
   void report(const ir::Monitor& monitor, Code code, const SourceRange& range, std::string message,

@@ -21,7 +21,7 @@ constexpr FlagText flag_texts[] = {
     {"--recheck", "DIR",
      "check what was written with `-o DIR` instead, by other means; needs z3, spin"},
     {"--attack", "SECONDS",
-     "of processor time in which runs are sought that show what is refuted; default: 20"},
+     "of processor time in which runs are sought that show what is refuted; default: 12"},
     {"--conservatism", "",
      "measure how much of what each monitor keeps free the worst admissible control, error and\n"
      "latency that is found reaches; more than all of it is a refutation. Takes seconds"},

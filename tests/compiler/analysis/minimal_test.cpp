@@ -247,6 +247,8 @@ std::vector<Offer> offers() {
        part(&About::robot, "tracking *<= *")},
       {"`drive` of at most " + number + " %/m works", "%/m", 100, Beyond::more,
        part(&About::robot, "drive *<= *")},
+      {"`idle` of at most " + number + " %/s works", "%/s", 10'000, Beyond::more,
+       part(&About::robot, "idle *<= *")},
       {"`held <= " + number + " s` works", "s", 10, Beyond::less,
        part(&About::robot, "held *<= *")},
       {"`detour <= " + number + " m` works", "m", 100, Beyond::less,

@@ -174,6 +174,20 @@ TEST(Repairs, TheDriveOf5012WorksAndFivePercentMoreDoesNot) {
   EXPECT_TRUE(has(*compiled(edited(thirsty, "15 %/m", more + " %/m")), Code::site_unreachable));
 }
 
+// Where the time alone takes too much, less at rest is needed.
+TEST(Repairs, TheIdleOf5012WorksAndFivePercentMoreDoesNot) {
+  const std::string lit = edited(edited(rover_spec(), "(6.5 m, 1 m)", "(1 m, 1 m)"),
+                                 "idle <= 0.01 %/s", "idle <= 0.9 %/s");
+  const std::string waste = edited(lit, "drain <= 0.2 %/s", "drain <= 1 %/s");
+  const auto c = compiled(waste);
+  ASSERT_TRUE(has(*c, Code::site_unreachable)) << reports(*c);
+  const std::string most = number_in_help(*c, Code::site_unreachable, "`idle` of at most ", "%/s");
+  const auto good = compiled(edited(waste, "0.9 %/s", most + " %/s"));
+  EXPECT_TRUE(good->module) << reports(*good);
+  const std::string more = std::to_string(1.05 * std::stod(most));
+  EXPECT_TRUE(has(*compiled(edited(waste, "0.9 %/s", more + " %/s")), Code::site_unreachable));
+}
+
 // Where no charge is ever seen to be enough, it has to be measured better, and by how much is told.
 TEST(Repairs, ABatteryThatShowsTooLittleIsMeasuredBetter) {
   const auto seen = [](const std::string& with) {
