@@ -27,8 +27,8 @@ using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived deri
                                             const diag::Engine& diagnostics)>;
 // `spec` is left as it is; in between, numbers and orders that reports offer are tried in it.
 // nullopt when an error was reported, unless it is about arbitration (6005); `is_told`: not of one
-// that says that it is not well formed either. With a `judge` no order is offered with which less is
-// shown, and with `is_told` no number either.
+// that says that it is not well formed either. With a `judge` no order is offered with which less
+// is shown, and with `is_told` no number either.
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses,
                               const Judge& judge = {});

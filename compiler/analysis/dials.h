@@ -41,9 +41,9 @@ std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sou
 bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of,
                    const std::string& recovery, const std::string& name, sema::ZoneId from,
                    sema::Zone zone);
-// "`drive` of at most 2.5 %/m", or what it may take at rest ("`idle` of at most 0.01 %/s") where the
-// time alone takes too much: for a way that takes `share` of the battery that there is. none: neither
-// works.
+// "`drive` of at most 2.5 %/m", or what it may take at rest ("`idle` of at most 0.01 %/s") where
+// the time alone takes too much: for a way that takes `share` of the battery that there is. none:
+// neither works.
 std::optional<std::string> consumption_that_works(Trials& trials, const Fault& fault,
                                                   sema::KindId kind, const Rational& share);
 

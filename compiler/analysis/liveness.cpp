@@ -453,7 +453,9 @@ std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decis
                              const ir::Recovery& last, std::int64_t way_mm) {
   if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
   const ir::ZoneTable& zone = module[last.zone];
-  const auto in = std::ranges::all_of(zone.edges, ir::is_along_an_axis) ? led_in(edges_of(zone), zone.cells, decision, last) : std::nullopt;
+  const auto in = std::ranges::all_of(zone.edges, ir::is_along_an_axis)
+                      ? led_in(edges_of(zone), zone.cells, decision, last)
+                      : std::nullopt;
   if (!in) return std::nullopt;
   const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
   geometry::WayLegsQuery query{mm(decision.body.radius_mm), mm(last.route_clearance_mm), {}};

@@ -32,7 +32,8 @@ class Sides {
   // That a recovery is no faster than the limits of a property that count wherever the robot is,
   // and whatever it is told.
   bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property);
-  // That a property holds of whoever drives as slowly as a recovery, wherever and whatever it is told.
+  // That a property holds of whoever drives as slowly as a recovery, wherever and whatever it is
+  // told.
   bool holds_of_slow(const sema::Controller& recovery, const sema::Expr& property);
   // That the robot of a monitor is given back where its recovery has come to rest as clear of the
   // boundary of its zone as control returns at, `extra` s further ahead: by what the property says
