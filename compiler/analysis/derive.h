@@ -32,6 +32,7 @@ using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived deri
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses,
                               const Judge& judge = {});
+
 // What `rtac check` tells about one monitor, in mm and us.
 struct MonitorSummary {
   std::string monitor;

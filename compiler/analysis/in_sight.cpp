@@ -44,10 +44,10 @@ std::int64_t seen_least_mm(const ir::Decision& decision, const ir::Recovery& rec
 std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
                                        const ir::Cells& cells, const ir::Decision& decision,
                                        const ir::Recovery& recovery) {
-  const std::int64_t least_mm = seen_least_mm(decision, recovery);
-  if (!ir::goes_back(recovery.kind) || least_mm >= decision.body.radius_mm) return std::nullopt;
-  // a way ends short of where it aims, by a measurement, and what legs keep has room for that
   const ir::Body& body = decision.body;
+  const std::int64_t least_mm = seen_least_mm(decision, recovery);
+  if (!ir::goes_back(recovery.kind) || least_mm >= body.radius_mm) return std::nullopt;
+  // a way ends short of where it aims, by a measurement, and what legs keep has room for that
   const std::int64_t fits_mm = body.radius_mm + body.end_reach_mm + body.position_error_mm;
   const std::int64_t goal_mm = std::min(fits_mm, recovery.route_clearance_mm);
   const geometry::CellGrid grid = grid_of(cells);

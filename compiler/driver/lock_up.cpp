@@ -49,8 +49,8 @@ bool locks_up(const std::string& trace, std::size_t waiting, const verify::LockU
     if (word == "truth" && words >> robot >> x >> y) {
       robots[robot].x_m = std::strtod(x.c_str(), nullptr);
       robots[robot].y_m = std::strtod(y.c_str(), nullptr);
-      if (!are_left_alone(robots, waiting, static_cast<double>(how.within_mm) / mm_per_m))
-        return false;
+      const double within_m = static_cast<double>(how.within_mm) / mm_per_m;
+      if (!are_left_alone(robots, waiting, within_m)) return false;
     }
   }
   return kept && safe && robots.size() >= waiting;

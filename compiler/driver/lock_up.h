@@ -8,9 +8,9 @@
 
 namespace rtac::driver {
 
-// Whether the first `robots` robots of a run wait from its beginning to its end, and no robot that
+// Whether the first `waiting` robots of a run wait from its beginning to its end, and no robot that
 // does not comes near to one of them: who drives to and fro beside a robot keeps it there, whatever
 // that does.
-bool locks_up(const std::string& trace, std::size_t robots, const verify::LockUp& how);
+bool locks_up(const std::string& trace, std::size_t waiting, const verify::LockUp& how);
 
 }  // namespace rtac::driver

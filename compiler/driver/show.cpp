@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,7 +51,6 @@ bool in_motion(const Obligation& o) {
 
 // One obligation, and the scenarios that are not played to their end.
 struct Sought {
-  const verify::Decision* decision;
   Obligation* of;
   std::vector<Scenario> scenarios;
   bool tried = false, cut = false;
@@ -98,7 +96,7 @@ class Showing {
       if ((*c_.spec)[r.kind].name == d.kind) robots.push_back(r.name);
     }
     if (robots.empty()) return;
-    Sought sought{&d, &o, aimed_at(o, robots, charge_of(d, o.in_turns))};
+    Sought sought{&o, aimed_at(o, robots, charge_of(d, o.in_turns))};
     for (Scenario& scenario : sought.scenarios) blame(d, o, scenario);
     all_.push_back(std::move(sought));
   }
@@ -159,27 +157,28 @@ class Showing {
     left_s_ -= took_s;
     if (shown_ > 0 && sought.rank() > 0) besides_s_ -= took_s;
     if (status != exit_violation) return played(table);
-    if (const auto seed = not_locked(trace, scenario, *sought.of)) {
-      const std::uint64_t done = *seed + 1 - scenario.value("seed", std::uint64_t{1});
-      return done < scenario["runs"].get<std::uint64_t>() ? std::optional(done) : std::nullopt;
-    }
+    if (!shows(trace, scenario, *sought.of)) return played_up_to(trace, scenario);
     sought.run = trace;
     ++shown_;
     return std::nullopt;
   }
-  // Of robots that wait for each other a run shows only what nobody else has a part in. The seed of
-  // one that does not show it; none: it does.
-  static std::optional<std::uint64_t> not_locked(const std::string& trace, const Scenario& scenario,
-                                                 const Obligation& o) {
-    if (!o.lock_up) return std::nullopt;
+  // Of robots that wait for each other, only what nobody else has a part in.
+  static bool shows(const std::string& trace, const Scenario& scenario, const Obligation& o) {
+    if (!o.lock_up) return true;
     const auto run = read_file(trace);
-    if (run && locks_up(*run, scenario["starts"].size(), *o.lock_up)) return std::nullopt;
+    return run && locks_up(*run, scenario["starts"].size(), *o.lock_up);
+  }
+  // How many runs of a scenario are played with a recorded one; none: all are, or nobody can tell.
+  static std::optional<std::uint64_t> played_up_to(const std::string& trace,
+                                                   const Scenario& scenario) {
     constexpr std::string_view before = "\nseed ";
     constexpr int decimal = 10;
+    const auto run = read_file(trace);
     const std::size_t at = run ? run->find(before) : std::string::npos;
-    return at == std::string::npos
-               ? std::numeric_limits<std::uint64_t>::max() - 1  // none is left
-               : std::strtoull(run->c_str() + at + before.size(), nullptr, decimal);
+    if (at == std::string::npos) return std::nullopt;
+    const std::uint64_t seed = std::strtoull(run->c_str() + at + before.size(), nullptr, decimal);
+    const std::uint64_t runs = seed + 1 - scenario.value("seed", std::uint64_t{1});
+    return runs < scenario["runs"].get<std::uint64_t>() ? std::optional(runs) : std::nullopt;
   }
   // That a recovery may break it: a run in which it fails says nothing of others.
   static bool accepted(const sema::Decision& d, sema::MonitorId id) {

@@ -11,6 +11,7 @@
 #include "compiler/recheck/straight.h"
 
 namespace rtac::recheck {
+
 // A zone without a name is called by what it leaves out, or by its line, and a number where that is
 // taken.
 NamedZones::NamedZones(const sema::Spec& spec, const SourceManager& sources)

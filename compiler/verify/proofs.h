@@ -62,8 +62,7 @@ std::vector<Start> starts_of_damage(const Subject& s, std::size_t driving, std::
 std::vector<Start> starts_of_damage_in_space(const Subject& s, std::size_t driving,
                                              std::size_t judged);
 // From where robots may wait for each other for ever, one of them by `yield`, each of those places
-// with all of them. `instead`: another monitor whose recovery may drive, if
-// there is one.
+// with all of them. `instead`: another monitor whose recovery may drive, if there is one.
 std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
                             const ir::Monitor* instead);
 
