@@ -28,8 +28,8 @@ const std::vector<Mutant>& mutants();
 const Mutant* find_mutant(const std::string& name);
 std::string mutant_names();
 
-// Whether it may change any decision. A function whose contract is proved alone may be wrong all the
-// same: only what is run asks for this.
+// Whether it may change any decision. A function whose contract is proved alone may be wrong all
+// the same: only what is run asks for this.
 bool may_matter(const Mutant& mutant, const ir::Module& module);
 
 // Of all decisions.
