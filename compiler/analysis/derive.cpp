@@ -11,6 +11,7 @@
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_met.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/timing.h"
@@ -575,6 +576,7 @@ class Deriver {
         std::max<std::int64_t>(0, d.body.radius_mm - d.body.position_error_mm - 2));
     site.drive_ppm_per_m = static_cast<std::int32_t>(std::min<std::int64_t>(
         ir::no_way, floor_to_int(Rational(kind.energy->drive.value * 1'000'000))));
+    const TravelCost cost(kind, metres_of(route.speed_mmps), d.period_us, baked.cells.cell_mm);
     for (std::size_t r = 0; r < site.places.size(); ++r) {
       ir::SiteTable::Place& place = site.places[r];
       if (const std::size_t same = site.table_of(r); same != r) {
@@ -588,12 +590,9 @@ class Deriver {
       for (std::size_t c = 0; c < distances.size(); ++c) {
         if (baked.cells.clearance_mm_hi[c] < d.body.radius_mm) continue;  // nobody is there
         // above a thousand batteries there is no way either
-        const std::int64_t cost =
-            distances[c] < 0 ? ir::no_way
-                             : travel_cost_ppm(kind, Rational(route.speed_mmps, 1000), d.period_us,
-                                               baked.cells.cell_mm, distances[c]);
+        const std::int64_t ppm = distances[c] < 0 ? ir::no_way : cost.ppm(distances[c]);
         place.cost_ppm[c] = std::max(
-            place.cost_ppm[c], static_cast<std::int32_t>(std::min<std::int64_t>(ir::no_way, cost)));
+            place.cost_ppm[c], static_cast<std::int32_t>(std::min<std::int64_t>(ir::no_way, ppm)));
       }
     }
   }

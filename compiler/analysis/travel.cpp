@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/support/rational.h"
 
 namespace rtac::analysis {
@@ -349,16 +350,26 @@ std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed,
   return ceil_to_int(Rational((speed * acts + speed * speed / (2 * planned)) * 1000));
 }
 
-std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
-                             std::int64_t period_us, std::int32_t cell_mm,
-                             std::int64_t distance_mm) {
+TravelCost::TravelCost(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
+                       std::int32_t cell_mm) {
   const sema::Energy& energy = *kind.energy;
   const Rational& v = kind.motion.speed.value;
-  const Rational metres(distance_mm, 1000);
   const Rational stop = v * v / (2 * braking(kind));  // the way starts where it has stopped
-  const Rational seconds = travel_seconds(kind, speed, period_us, cell_mm, distance_mm);
-  return ceil_to_int(
-      Rational((energy.drive.value * (metres + stop) + energy.idle.value * seconds) * 1'000'000));
+  const auto ppm = [&](std::int64_t distance_mm) {
+    const Rational metres = metres_of(distance_mm) + stop;
+    const Rational seconds = travel_seconds(kind, speed, period_us, cell_mm, distance_mm);
+    return Rational((energy.drive.value * metres + energy.idle.value * seconds) * 1'000'000);
+  };
+  const Rational first = ppm(0), per_mm = ppm(1) - first;
+  in_ppm_ = lcm(first.get_den(), per_mm.get_den());
+  first_ = first.get_num() * (in_ppm_ / first.get_den());
+  per_mm_ = per_mm.get_num() * (in_ppm_ / per_mm.get_den());
+}
+std::int64_t TravelCost::ppm(std::int64_t distance_mm) const {
+  mpz_class up;
+  const mpz_class over = first_ + per_mm_ * static_cast<long>(distance_mm);
+  mpz_cdiv_q(up.get_mpz_t(), over.get_mpz_t(), in_ppm_.get_mpz_t());
+  return up.get_si();
 }
 
 }  // namespace rtac::analysis

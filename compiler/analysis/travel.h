@@ -83,9 +83,15 @@ std::optional<Rational> carried_seconds(const sema::RobotKind& kind, const Ratio
 // How much longer than to where control is given back a retreat drives at most, in mm: it passes
 // that place at its full speed (run_out_m of the pilots).
 std::int64_t run_out_mm(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
-// Charge that such a way takes, in ppm.
-std::int64_t travel_cost_ppm(const sema::RobotKind& kind, const Rational& speed,
-                             std::int64_t period_us, std::int32_t cell_mm,
-                             std::int64_t distance_mm);
+// Charge that such ways take, which is affine in how long they are.
+class TravelCost {
+ public:
+  TravelCost(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us,
+             std::int32_t cell_mm);
+  [[nodiscard]] std::int64_t ppm(std::int64_t distance_mm) const;
+
+ private:
+  mpz_class first_, per_mm_, in_ppm_;  // over one denominator: of each cell of a zone it is asked
+};
 
 }  // namespace rtac::analysis

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -69,7 +68,7 @@ class RuntimeWays {
     const double wanted = double(step_.return_clearance_mm) + reach + error;
     if (now >= double(step_.return_clearance_mm)) return all;
     if (const auto q = straight_in(p, wanted)) return {run_out({*q}, p)};
-    const auto cell = nearest_cell(p, holds_body(), [&](std::size_t at) {
+    const auto cell = nearest_cell(p, &RuntimeWays::holds_body, [&](std::size_t at) {
       return double(clear_mm(at)) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
     });
     if (cell && norm(centre(*cell) - p) <= 2 * wanted) return {run_out({centre(*cell)}, p)};
@@ -91,7 +90,6 @@ class RuntimeWays {
     if (zone_.keeps(end, beyond, zone_.clearance(end) - loss_mm)) way.back() = beyond;
     return way;
   }
-  using Accept = std::function<bool(std::size_t)>;
 
   [[nodiscard]] P centre(std::size_t cell) const {
     const auto columns = static_cast<std::size_t>(cells_.columns);
@@ -118,7 +116,7 @@ class RuntimeWays {
     for (const double wanted : wishes) {
       if (const auto q = straight_in(p, wanted)) all.push_back(*q);
       if (!all.empty() && decision_.robots < 2) return all;
-      const auto cell = nearest_cell(p, holds_body(), [&](std::size_t at) {
+      const auto cell = nearest_cell(p, &RuntimeWays::holds_body, [&](std::size_t at) {
         return clear_mm(at) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
       });
       if (cell) all.push_back(centre(*cell));
@@ -145,7 +143,7 @@ class RuntimeWays {
   [[nodiscard]] std::vector<std::size_t> joined(P p) const {
     const double route = double(step_.route_clearance_mm), size = cells_.cell_mm;
     const double floor = std::min(zone_.clearance(p), route) - connector_loss_mm;
-    const Accept joins = [&](std::size_t at) {
+    const auto joins = [&](std::size_t at) {
       return clear_mm(at) >= route && zone_.keeps(p, centre(at), floor);
     };
     const double reach = std::max(400.0, 2 * size) + 0.8 * size;
@@ -161,7 +159,7 @@ class RuntimeWays {
       }
     }
     if (!all.empty()) return all;
-    if (const auto nearest = nearest_cell(p, is_way(), joins)) all.push_back(*nearest);
+    if (const auto nearest = nearest_cell(p, &RuntimeWays::is_way, joins)) all.push_back(*nearest);
     return all;
   }
   [[nodiscard]] std::optional<std::size_t> cell_at(int column, int row) const {
@@ -172,15 +170,13 @@ class RuntimeWays {
            static_cast<std::size_t>(column);
   }
 
-  [[nodiscard]] Accept holds_body() const {
-    return [this](std::size_t at) { return clear_mm(at) >= 0; };
-  }
-  [[nodiscard]] Accept is_way() const {
-    return [this](std::size_t at) { return on_way(at); };
-  }
+  [[nodiscard]] bool holds_body(std::size_t at) const { return clear_mm(at) >= 0; }
+  [[nodiscard]] bool is_way(std::size_t at) const { return on_way(at); }
+  static bool any(std::size_t) { return true; }
   // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`.
-  [[nodiscard]] std::optional<std::size_t> nearest_cell(P p, const Accept& may,
-                                                        const Accept& accept) const {
+  using May = bool (RuntimeWays::*)(std::size_t) const;
+  template <class Accept>
+  [[nodiscard]] std::optional<std::size_t> nearest_cell(P p, May may, const Accept& accept) const {
     const double size = cells_.cell_mm;
     const auto clamped = [&](double x, double origin, int count) {
       return static_cast<int>(std::clamp(std::floor((x - origin) / size), 0.0, count - 1.0));
@@ -194,19 +190,23 @@ class RuntimeWays {
       const auto cell = cell_at(x, y);
       if (!cell || tests_left == 0) return;
       const double away = norm(centre(*cell) - p);
-      if (away >= least || !may(*cell)) return;
+      if (away >= least || !(this->*may)(*cell)) return;
       --tests_left;
       if (!accept(*cell)) return;
       least = away;
       best = cell;
     };
-    for (int ring = 0; ring <= std::max(cells_.columns, cells_.rows); ++ring) {
-      if ((ring - 0.5) * size > least) break;
-      for (int x = column - ring; x <= column + ring; ++x) {
-        const bool side = std::abs(x - column) == ring;
-        for (int y = row - ring; y <= row + ring; y += side || ring == 0 ? 1 : 2 * ring) {
-          visit(x, y);
+    const int last_column = cells_.columns - 1, last_row = cells_.rows - 1;
+    for (int ring = 0; ring <= std::max(last_column, last_row) + 1; ++ring) {
+      if ((ring - 0.5) * size > least || tests_left == 0) break;
+      for (int x = std::max(0, column - ring); x <= std::min(last_column, column + ring); ++x) {
+        if (std::abs(x - column) < ring) {
+          visit(x, row - ring);
+          visit(x, row + ring);
+          continue;
         }
+        const int up_to = std::min(last_row, row + ring);
+        for (int y = std::max(0, row - ring); y <= up_to; ++y) visit(x, y);
       }
     }
     return best;
@@ -232,14 +232,15 @@ class RuntimeWays {
     return all;
   }
   [[nodiscard]] std::vector<double> ways_to(P goal) const {
-    const auto first = nearest_cell(goal, is_way(), is_way());
+    const auto first = nearest_cell(goal, &RuntimeWays::is_way, any);
     return ways_over([&](std::size_t at) { return at == first; });
   }
   [[nodiscard]] bool on_way(std::optional<std::size_t> at) const {
     return at && clear_mm(*at) >= std::max<std::int64_t>(step_.route_clearance_mm, 0);
   }
   // To a goal from every cell that is clear enough, over its eight neighbours.
-  [[nodiscard]] std::vector<double> ways_over(const Accept& is_goal) const {
+  template <class IsGoal>
+  [[nodiscard]] std::vector<double> ways_over(const IsGoal& is_goal) const {
     std::vector<double> length(cells_.clearance_mm_lo.size(),
                                std::numeric_limits<double>::infinity());
     using Open = std::pair<double, std::size_t>;
@@ -278,7 +279,7 @@ class RuntimeWays {
   // Downwards over lengths that `ways_over` has found.
   [[nodiscard]] std::vector<P> followed(const std::vector<double>& length, P first) const {
     std::vector<P> way{first};
-    const auto start = nearest_cell(first, holds_body(), [](std::size_t) { return true; });
+    const auto start = nearest_cell(first, &RuntimeWays::holds_body, any);
     for (std::optional<std::size_t> at = start; at && length[*at] > 0;) {
       std::optional<std::size_t> next;
       for (const std::size_t to : beside(*at)) {

@@ -42,6 +42,7 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
                            std::int32_t body_mm, std::int32_t goal_mm)
     : cells_(cells),
       goal_mm_(goal_mm),
+      clearest_mm_(cells.clearance_mm_lo.empty() ? -1 : std::ranges::max(cells.clearance_mm_lo)),
       convex_(is_convex(edges)),
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
@@ -95,13 +96,15 @@ double StraightLegs::farthest_from(std::size_t cell) const {
 }
 
 std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perhaps) const {
+  const std::int32_t least_mm = perhaps ? goal_mm_ - rounded_mm : goal_mm_ + surely_mm;
   std::vector<End> found;
+  if (clearest_mm_ < least_mm) return found;
   int tested = 0;
   const std::int32_t last = std::max(cells_.columns, cells_.rows);
   for (std::int32_t ring = 0; ring <= last && tested <= tests_max; ++ring) {
     if (!perhaps && found.size() >= enough) break;
     std::vector<End> of_ring;
-    tested += add_ring(cell, ring, perhaps ? goal_mm_ - rounded_mm : goal_mm_ + surely_mm, of_ring);
+    tested += add_ring(cell, ring, least_mm, of_ring);
     if (!perhaps && tested > tests_max) break;
     found.insert(found.end(), of_ring.begin(), of_ring.end());
   }

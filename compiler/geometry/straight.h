@@ -41,6 +41,7 @@ class StraightLegs {
 
   const CellGrid& cells_;
   const std::int32_t goal_mm_;
+  const std::int32_t clearest_mm_;  // of all cells
   const bool convex_;
   Connectors legs_;    // what they keep
   Connectors around_;  // of places

@@ -349,13 +349,13 @@ TEST(Travel, ThePriceIsThatOfDrivingAndOfTime) {
     const Rational least = k.energy->drive.value * Rational(static_cast<long>(mm), 1000) +
                            k.energy->idle.value * travel_seconds(k, w, period_us, cell_mm, mm);
     const Rational stop = k.energy->drive.value * Rational(22 * 22, 20'000);
-    const Rational price(static_cast<long>(travel_cost_ppm(k, w, period_us, cell_mm, mm)),
+    const Rational price(static_cast<long>(TravelCost(k, w, period_us, cell_mm).ppm(mm)),
                          1'000'000);
     EXPECT_GE(price, Rational(least + stop));
     EXPECT_LE(price, Rational(least + stop + Rational(1, 1'000'000)));
   }
-  EXPECT_LT(travel_cost_ppm(k, w, period_us, cell_mm, 1000),
-            travel_cost_ppm(k, w, period_us, cell_mm, 2000));
+  EXPECT_LT(TravelCost(k, w, period_us, cell_mm).ppm(1000),
+            TravelCost(k, w, period_us, cell_mm).ppm(2000));
 }
 
 }  // namespace
