@@ -447,23 +447,45 @@ std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Deci
   return InSight(edges, zone.cells, decision, last).always_mm();
 }
 
-// The recheck knows the cells of outlines along the axes to the millimetre, and of others not
-// quite.
+namespace {
+
+// To the worst of its robots' sites.
+std::optional<int> legs_to_sites(const ir::SiteTable& site, const geometry::CellGrid& cells,
+                                 std::int32_t route_mm) {
+  int most = 0;
+  for (std::size_t robot = 0; robot < site.places.size(); ++robot) {
+    if (site.table_of(robot) != robot) continue;
+    const ir::SiteTable::Place& place = site.places[robot];
+    const auto legs = geometry::most_legs_to(cells, route_mm, {place.x_mm, place.y_mm});
+    if (!legs) return std::nullopt;
+    most = std::max(most, *legs);
+  }
+  return most;
+}
+std::optional<Legs> in_one_piece(const std::optional<int>& over_cells, const LedIn& in) {
+  const int looks = in.first_mm > 0 ? 2 : 1;
+  if (!over_cells || *over_cells + looks > pace::waypoints) return std::nullopt;
+  return Legs{*over_cells + 1, looks, std::max(in.first_mm, in.all_mm)};
+}
+
+}  // namespace
+
 std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decision,
                              const ir::Recovery& last, std::int64_t way_mm) {
-  if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
+  if (!ir::moves(last.kind) || decision.body.in_space) return std::nullopt;
   const ir::ZoneTable& zone = module[last.zone];
-  const auto in = std::ranges::all_of(zone.edges, ir::is_along_an_axis)
-                      ? led_in(edges_of(zone), zone.cells, decision, last)
-                      : std::nullopt;
-  if (!in) return std::nullopt;
   const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
-  geometry::WayLegsQuery query{mm(decision.body.radius_mm), mm(last.route_clearance_mm), {}};
+  const std::int32_t route_mm = mm(last.route_clearance_mm);
+  if (last.kind == ir::RecoveryKind::route) {
+    return in_one_piece(legs_to_sites(module[last.site], grid_of(zone), route_mm), {});
+  }
+  if (!ir::goes_back(last.kind)) return std::nullopt;
+  auto in = led_in(edges_of(zone), zone.cells, decision, last);
+  if (!in) return std::nullopt;
+  geometry::WayLegsQuery query{mm(decision.body.radius_mm), route_mm, {}};
   for (const std::int64_t goal_mm : goals_mm(decision, last)) query.goals_mm.push_back(mm(goal_mm));
-  const auto legs = geometry::most_legs(grid_of(zone), query);
-  const int looks = in->first_mm > 0 ? 2 : 1;
-  if (!legs || *legs + looks > pace::waypoints) return std::nullopt;
-  return Legs{*legs + 1, looks, std::max(in->first_mm, in->all_mm - way_mm)};
+  in->all_mm -= way_mm;
+  return in_one_piece(geometry::most_legs(grid_of(zone), query), *in);
 }
 
 namespace {

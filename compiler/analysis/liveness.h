@@ -59,7 +59,7 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
 std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last);
 
-// The legs of a retreat, if they are counted.
+// The legs of a recovery of the plane, if they are counted.
 struct Legs {
   int count = 1;  // of its way, that to its first cell included
   int looks = 1;  // for a way: who is seen with less than its body takes is led in first,

@@ -131,14 +131,23 @@ class Counting {
   Counting(const CellGrid& cells, std::int32_t limit_mm)
       : cells_(cells), clear_(cells, limit_mm), boxes_(clear_.rectangles()) {}
 
+  // To the nearest cell as clear as that.
   std::optional<int> most(std::int32_t goal_mm) {
-    if (!find_ways(goal_mm) || !hold_boxes()) return std::nullopt;
+    std::vector<std::size_t> goals;
+    for (std::size_t at = 0; at < cells_.clearance_mm_lo.size(); ++at) {
+      if (cells_.clearance_mm_lo[at] >= goal_mm && is_clear(at)) goals.push_back(at);
+    }
+    return most_to(goals);
+  }
+  std::optional<int> most_to(const std::vector<std::size_t>& goals) {
+    if (!find_ways(goals) || !hold_boxes()) return std::nullopt;
     int most = 0;
     for (const std::size_t at : order_) {
       if (to_go_[at] > 0) most = std::max(most, count_from(at));
     }
     return most;
   }
+  [[nodiscard]] bool is_clear(std::size_t at) const { return clear_.at(column_of(at), row_of(at)); }
 
  private:
   static constexpr double unreached = std::numeric_limits<double>::infinity();
@@ -153,13 +162,12 @@ class Counting {
   [[nodiscard]] int row_of(std::size_t at) const { return static_cast<int>(at) / cells_.columns; }
 
   // How far it is from each cell to the nearest goal. false: too far.
-  bool find_ways(std::int32_t goal_mm) {
+  bool find_ways(const std::vector<std::size_t>& goals) {
     using Entry = std::pair<double, std::size_t>;
     to_go_.assign(cells_.clearance_mm_lo.size(), unreached);
     order_.clear();
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    for (std::size_t at = 0; at < to_go_.size(); ++at) {
-      if (!clear_.at(column_of(at), row_of(at)) || cells_.clearance_mm_lo[at] < goal_mm) continue;
+    for (const std::size_t at : goals) {
       to_go_[at] = 0;
       open.emplace(0, at);
     }
@@ -270,7 +278,34 @@ std::optional<int> count(const CellGrid& cells, const WayLegsQuery& query) {
   return most;
 }
 
+// The cell that holds a place, the eastern and northern one of those that it lies between.
+std::optional<std::size_t> cell_at(const CellGrid& cells, GridPoint place) {
+  const std::int64_t x = std::int64_t{place.x_mm} - cells.origin.x_mm;
+  const std::int64_t y = std::int64_t{place.y_mm} - cells.origin.y_mm;
+  if (x < 0 || y < 0) return std::nullopt;
+  const std::int64_t column = x / cells.cell_mm, row = y / cells.cell_mm;
+  if (column >= cells.columns || row >= cells.rows) return std::nullopt;
+  return static_cast<std::size_t>(row * cells.columns + column);
+}
+
+// Within the goal's cell the last leg goes on to the site: one more for who is in that already.
+std::optional<int> count_to(const CellGrid& cells, std::int32_t route_mm, GridPoint site) {
+  const std::optional<std::size_t> goal = cell_at(cells, site);
+  if (!goal) return std::nullopt;
+  Counting counting(cells, route_mm);
+  if (!counting.is_clear(*goal)) return std::nullopt;
+  const std::optional<int> found = counting.most_to({*goal});
+  return found ? std::optional(std::max(1, *found)) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<int> most_legs_to(const CellGrid& cells, std::int32_t route_mm, GridPoint site) {
+  using Question = std::tuple<Drawn, std::int32_t, GridPoint>;
+  thread_local Kept<Question, std::optional<int>> kept;
+  return kept.find({Drawn({}, cells), route_mm, site},
+                   [&] { return count_to(cells, route_mm, site); });
+}
 
 std::optional<int> most_legs(const CellGrid& cells, const WayLegsQuery& query) {
   thread_local Kept<std::pair<Drawn, WayLegsQuery>, std::optional<int>> kept;

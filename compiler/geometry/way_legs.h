@@ -23,5 +23,8 @@ struct WayLegsQuery {
 // than it takes such rectangles to cover it, one after the other, with a cell in common. nullopt:
 // that takes too long, or ways are so long that rounding may prefer longer ones.
 std::optional<int> most_legs(const CellGrid& cells, const WayLegsQuery& query);
+// The same of ways over cells as clear as `route_mm` to the cell that holds a site, and in that to
+// the site itself. nullopt as well: that cell is not as clear.
+std::optional<int> most_legs_to(const CellGrid& cells, std::int32_t route_mm, GridPoint site);
 
 }  // namespace rtac::geometry

@@ -59,13 +59,33 @@ double square_to(const Segment& s, const Box& box) {
 constexpr double per_mm = 1e-3;
 constexpr double same_m = 1e-9;  // what two doubles of one length differ by, and more
 
-// Along the axes, in whole millimetres, where doubles tell them apart even squared.
+// In whole millimetres, where doubles tell them apart even squared.
 bool is_on_grid(const Segment& s) {
   constexpr double far_m = 10'000;
   const auto whole = [](double m) {
     return std::abs(m) < far_m && std::abs(m / per_mm - std::round(m / per_mm)) < same_m;
   };
-  return (s.ax == s.bx || s.ay == s.by) && whole(s.ax) && whole(s.ay) && whole(s.bx) && whole(s.by);
+  return whole(s.ax) && whole(s.ay) && whole(s.bx) && whole(s.by);
+}
+
+// Whether a place of the segment is nearer to the box than `mm`, exactly, where both are on the
+// grid and have no place in common: one of the nearest two is an end or a corner.
+bool is_nearer(const Segment& s, const Box& box, long mm) {
+  const auto exact = [](double m) { return Rational(std::lround(m / per_mm)); };
+  const Rational ax = exact(s.ax), ay = exact(s.ay), bx = exact(s.bx), by = exact(s.by);
+  const Rational left = exact(box.x), right = exact(box.right);
+  const Rational low = exact(box.y), top = exact(box.top);
+  const Rational limit(mm * mm), dx = bx - ax, dy = by - ay, along = dx * dx + dy * dy;
+  const auto end_is_near = [&](const Rational& x, const Rational& y) {
+    const Rational off_x = x - std::clamp(x, left, right), off_y = y - std::clamp(y, low, top);
+    return off_x * off_x + off_y * off_y < limit;
+  };
+  const auto corner_is_near = [&](const Rational& x, const Rational& y) {
+    const Rational part = (x - ax) * dx + (y - ay) * dy, beside = (y - ay) * dx - (x - ax) * dy;
+    return part > 0 && part < along && beside * beside < limit * along;
+  };
+  return end_is_near(ax, ay) || end_is_near(bx, by) || corner_is_near(left, low) ||
+         corner_is_near(right, low) || corner_is_near(left, top) || corner_is_near(right, top);
 }
 
 // Blocks of cells are quartered, and each hands on the segments that may be the nearest ones of
@@ -122,8 +142,9 @@ class Filler {
     }
     if (side == 1) {
       const std::size_t at = row * grid_.columns + column;
-      if (inside_[at])
-        grid_.clearance[at] = on_grid_ ? rounded_down(least) : std::sqrt(least) - slack_m;
+      if (!inside_[at]) return;
+      grid_.clearance[at] =
+          on_grid_ ? rounded_down(std::sqrt(least), box, candidates) : std::sqrt(least) - slack_m;
       return;
     }
     // nowhere in the block is the nearest one farther than the block is wide, across, from it
@@ -138,10 +159,15 @@ class Filler {
     }
   }
 
-  // Where both coordinates are whole millimetres the square of the distance is whole, too.
-  static double rounded_down(double square) {
-    const double whole = std::round(square / (per_mm * per_mm));
-    return std::floor(std::sqrt(whole)) * per_mm;
+  // To whole millimetres; what a double cannot tell is found exactly.
+  [[nodiscard]] double rounded_down(double least, const Box& box,
+                                    const std::vector<std::size_t>& candidates) const {
+    constexpr double unsure = 1e-3;  // mm
+    const double mm = least / per_mm, whole = std::round(mm);
+    if (std::abs(mm - whole) > unsure || whole == 0) return std::floor(mm) * per_mm;
+    const bool less = std::ranges::any_of(
+        candidates, [&](std::size_t s) { return is_nearer(all_[s], box, std::lround(whole)); });
+    return (less ? whole - 1 : whole) * per_mm;
   }
 
   const std::vector<Segment>& all_;

@@ -28,8 +28,8 @@ struct Grid {
   double x = 0, y = 0, cell = 0;
   std::size_t columns = 0, rows = 0;
   std::vector<double> clearance;  // of every place of the cell, at least; negative: none
-  // By so much those that robots know may be less: of a zone whose edges run along the axes, in
-  // whole millimetres, they are these very ones, but for what two doubles of one length differ by.
+  // By so much those that robots know may be less: of a zone with corners in whole millimetres they
+  // are these very ones, but for what two doubles of one length differ by.
   double less = table_m;
   [[nodiscard]] Box box(std::size_t column, std::size_t row, std::size_t side) const {
     const double left = x + double(column) * cell, low = y + double(row) * cell;

@@ -106,15 +106,21 @@ std::optional<Said> said_of(Claims& claims, const Values& v) {
 // What one that loiters would like to have more.
 const Rational to_circle(1, 2);
 
-// nullopt: nothing bounds it.
-std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
-                                const sema::Spec& spec, const sema::Template& last) {
+// Where a route leads, each robot to its own.
+std::vector<geometry::Point> sites_of(const sema::Spec& spec, const sema::Template& last) {
   std::vector<geometry::Point> sites;
   if (const auto* route = std::get_if<sema::Route>(&last)) {
     for (const auto& place : spec[route->site].places) {
       sites.push_back({place.position.x, place.position.y});
     }
   }
+  return sites;
+}
+
+// nullopt: nothing bounds it.
+std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
+                                const std::vector<geometry::Point>& sites,
+                                const sema::Template& last) {
   auto most = longest_way(zone, said.cells, said.starts, said.route, said.back, sites);
   if (!sites.empty()) return most;
   // one that loiters would like to have half a metre more; a leg in sight is taken that is no
@@ -155,17 +161,19 @@ struct Legs {
 };
 std::optional<Legs> legs_of(const geometry::Region& zone, const Said& said, const Rational& keeps,
                             const sema::RobotKind& kind, const sema::Template& last,
-                            const Values& v) {
+                            const std::vector<geometry::Point>& sites, const Values& v) {
   const auto count = number(v, "legs"), led_in_mm = number(v, "led_in_mm");
   const bool goes_back =
       std::holds_alternative<sema::Retreat>(last) || std::holds_alternative<sema::Loiter>(last);
-  if (!goes_back || !count || !led_in_mm || *count < 1 || *led_in_mm < 0) return std::nullopt;
+  if (goes_back != sites.empty() || !count || !led_in_mm || *led_in_mm < 0) return std::nullopt;
   const std::vector<Rational> aims = aims_of(said, last);
   const Rational& body = kind.radius.value;
-  const auto most = legs_of_ways(zone, said.cells, body, said.route, aims);
+  const auto most = goes_back ? legs_of_ways(zone, said.cells, body, said.route, aims)
+                              : legs_to_sites(zone, said.cells, said.route, sites);
   constexpr std::int64_t many = 1'000;
   if (!most || *count > many || *count < std::int64_t(*most) + 1) return std::nullopt;
   Legs legs{static_cast<int>(*count), 1, milli(*led_in_mm)};
+  if (!goes_back) return legs;  // it searches from outside, too
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const Rational kept = std::min(Rational(said.starts - body), keeps);
   if (kept >= error) return legs;
@@ -260,7 +268,8 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   }
   Rational after = 0;
   if (auto doubt = ends(spec, decision, claims, monitor, said->back, after)) return doubt;
-  const auto way = longest(*zone, *said, spec, steps.back());
+  const std::vector<geometry::Point> sites = sites_of(spec, steps.back());
+  const auto way = longest(*zone, *said, sites, steps.back());
   if (!way || *way > said->way) return wrong("its way may be longer");
   const sema::Controller& recovery = spec[*monitor.recover];
   const Rational cell = milli(said->cells.cell_mm);
@@ -283,7 +292,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
     return ends_in(return_seconds(kind, decision, recovery, cell, said->way),
                    driven_metres(kind, decision, recovery, cell, said->way, after));
   }
-  const auto legs = legs_of(*zone, *said, most_gap(spec, decision), kind, steps.back(), v);
+  const auto legs = legs_of(*zone, *said, most_gap(spec, decision), kind, steps.back(), sites, v);
   if (!legs) return wrong("its way may have more legs, or it may be led in first");
   const Rational in_all = said->way + legs->led_in;
   return ends_in(legs_seconds(kind, decision, recovery, cell, in_all, legs->count + legs->looks - 1,

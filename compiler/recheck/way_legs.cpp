@@ -118,11 +118,19 @@ class WayLegs {
         longest_leg_(columns + rows),
         areas_(floor_.areas()) {}
 
+  // To what is as clear as that.
   std::optional<std::size_t> most(Int goal_mm) {
+    std::vector<std::size_t> goals;
+    for (std::size_t at = 0; at < clearance_mm_.size(); ++at) {
+      if (clearance_mm_[at] >= std::max(goal_mm, limit_mm_)) goals.push_back(at);
+    }
+    return most_to(goals);
+  }
+  std::optional<std::size_t> most_to(const std::vector<std::size_t>& goals) {
     Int size = 0;
     for (const Area& area : areas_) size += area.size();
     if (size > area_max) return std::nullopt;
-    const std::vector<std::size_t> cells = by_distance(goal_mm);
+    const std::vector<std::size_t> cells = by_distance(goals);
     if (cells.empty()) return 0;
     // A float is off by 2^-24 of itself at most; each way is as many of them off as it has steps,
     // and so is the shortest one. What a step is longer than the shortest way has to be less.
@@ -155,7 +163,7 @@ class WayLegs {
     }
   }
   // From those that lead there, the nearest first.
-  std::vector<std::size_t> by_distance(Int goal_mm) {
+  std::vector<std::size_t> by_distance(const std::vector<std::size_t>& goals) {
     distance_.assign(clearance_mm_.size(), endless);
     std::vector<std::size_t> found;
     std::priority_queue<std::pair<double, std::size_t>> open;  // less than 0
@@ -164,9 +172,7 @@ class WayLegs {
       distance_[at] = distance;
       open.emplace(-distance, at);
     };
-    for (std::size_t at = 0; at < clearance_mm_.size(); ++at) {
-      if (clearance_mm_[at] >= std::max(goal_mm, limit_mm_)) reach(at, 0);
-    }
+    for (const std::size_t at : goals) reach(at, 0);
     while (!open.empty()) {
       const auto top = open.top();
       open.pop();
@@ -232,7 +238,7 @@ std::optional<std::size_t> legs_of_ways(const geometry::Region& zone, const Cell
                                         const Rational& body, const Rational& route,
                                         const std::vector<Rational>& goals) {
   const std::optional<OnGrid> found = on_grid(zone, cells);
-  // of other outlines a cell may be a millimetre off
+  // where doubles tell no millimetres apart, a cell may be one off
   if (!found || found->cells.less > 0) return std::nullopt;
   const std::vector<Int> clearance = in_mm(found->cells);
   // as the kernel has them, in metres, and off by as much as two lengths are that are rounded up
@@ -253,6 +259,43 @@ std::optional<std::size_t> legs_of_ways(const geometry::Region& zone, const Cell
     WayLegs ways(clearance, Int(found->cells.columns), Int(found->cells.rows), limit);
     for (const auto& [least, goal] : ends) {
       const auto legs = ways.most(goal);
+      if (!legs) return std::nullopt;
+      most = std::max(most, *legs);
+    }
+  }
+  return most;
+}
+
+namespace {
+
+// The cells that a robot may take for that of a site, which it knows to the millimetre.
+std::vector<std::size_t> around(const Grid& grid, const geometry::Point& site) {
+  constexpr double rounded_m = 0.001 + slack_m;
+  std::vector<std::size_t> all;
+  const double x = site.x.get_d(), y = site.y.get_d();
+  for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
+    const Box box = grid.box(at % grid.columns, at / grid.columns, 1);
+    const double off = std::max({box.x - x, x - box.right, box.y - y, y - box.top});
+    if (off <= rounded_m) all.push_back(at);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cells& cells,
+                                         const Rational& route,
+                                         const std::vector<geometry::Point>& sites) {
+  const std::optional<OnGrid> found = on_grid(zone, cells);
+  if (!found || found->cells.less > 0) return std::nullopt;
+  const std::vector<Int> clearance = in_mm(found->cells);
+  WayLegs ways(clearance, Int(found->cells.columns), Int(found->cells.rows), whole_mm(route));
+  std::size_t most = 1;  // in the cell of the site to that itself
+  for (const geometry::Point& site : sites) {
+    const std::vector<std::size_t> goals = around(found->cells, site);
+    if (goals.empty()) return std::nullopt;
+    for (const std::size_t goal : goals) {
+      const auto legs = clearance[goal] < whole_mm(route) ? std::nullopt : ways.most_to({goal});
       if (!legs) return std::nullopt;
       most = std::max(most, *legs);
     }

@@ -15,6 +15,10 @@ namespace rtac::recheck {
 std::optional<std::size_t> legs_of_ways(const geometry::Region& zone, const Cells& cells,
                                         const Rational& body, const Rational& route,
                                         const std::vector<Rational>& goals);
+// The same of ways over cells as clear as `route` to each of the sites, by itself.
+std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cells& cells,
+                                         const Rational& route,
+                                         const std::vector<geometry::Point>& sites);
 // The longest legs in sight that are taken by who is seen with less than its `body` takes, but at
 // least `seen`, from anywhere in the zone: the first to a place as clear as `route`, or else all
 // the way to one as clear as `back`.

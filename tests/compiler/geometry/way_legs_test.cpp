@@ -64,6 +64,33 @@ Study compare(const Region& region, std::int32_t goal_mm, std::int32_t cell_mm, 
   return study;
 }
 
+// The same of ways to a site, which the search draws near to, unlike to the nearest place: it finds
+// others of those that are as short.
+Study compare_to(const Region& region, Vec2 site, std::int32_t cell_mm, int places) {
+  const BakedZone zone = bake(*snap_inside(region), cell_mm);
+  const auto in_mm = [](double m) { return static_cast<std::int32_t>(std::lround(1000 * m)); };
+  const auto bound = most_legs_to(zone.cells, kRoute, {in_mm(site.x), in_mm(site.y)});
+  if (!bound) return {};
+  const View view(zone);
+  safe::GridRoute route(*view);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  Study study{*bound};
+  const auto upto = [&](std::int32_t cells) { return anywhere(random) * cells * cell_mm; };
+  for (int i = 0; i < places; ++i) {
+    const Vec2 p{(zone.cells.origin.x_mm + upto(zone.cells.columns)) * 1e-3,
+                 (zone.cells.origin.y_mm + upto(zone.cells.rows)) * 1e-3};
+    Path way;
+    if (signed_clearance(*view, p) < kBody * 1e-3) continue;
+    if (!route.to_point({kRoute * 1e-3, p, {}, {}}, site, way)) continue;
+    ++study.ways;
+    EXPECT_FALSE(route.cut());
+    EXPECT_LE(way.points.size(), static_cast<std::size_t>(*bound) + 1) << p.x << ", " << p.y;
+    study.most = std::max(study.most, way.points.size());
+  }
+  return study;
+}
+
 Region hall_with_racks() {
   Region hall = box(0, 0, 12000, 8000);
   for (const long y : {1500, 3700, 5900}) hall = hall.subtract(box(2000, y, 8000, y + 500));
@@ -110,6 +137,32 @@ TEST(WayLegs, OfRandomRooms) {
     ways += compare(room, 400 + 100 * (i % 6), 100, 200).ways;
   }
   EXPECT_GT(ways, 20 * rooms_count());
+}
+
+TEST(WayLegs, ToASite) {
+  const Study study = compare_to(hall_with_racks(), {11.013, 4.1}, 100, 4000);
+  EXPECT_GT(study.ways, 2000);
+  EXPECT_GE(study.most, 3U);
+  EXPECT_LE(study.bound, 8);
+  std::mt19937 random(4);
+  int ways = 0;
+  for (int i = 0; i < rooms_count(); ++i) {
+    const Region room = random_room(random);
+    SCOPED_TRACE(i);
+    for (const double x : {0.6, 1.2, 2.5})
+      ways += compare_to(room, {x, 1.9 - x / 2}, 100, 200).ways;
+  }
+  EXPECT_GT(ways, 20 * rooms_count());
+}
+// In its own cell the site itself is one leg away, and in one that is too near to the boundary for
+// ways to end there is none.
+TEST(WayLegs, OfASiteInANarrowPlaceAreNotCounted) {
+  const CellGrid cells = bake(*snap_inside(box(0, 0, 4000, 4000)), 100).cells;
+  EXPECT_EQ(most_legs_to(cells, kRoute, {2000, 2000}), 1);
+  for (const GridPoint site :
+       {GridPoint{250, 2000}, GridPoint{-100, 2000}, GridPoint{2000, 9000}}) {
+    EXPECT_EQ(most_legs_to(cells, kRoute, site), std::nullopt);
+  }
 }
 
 // Who has room enough at once needs none, and from a chamber without a way none is counted.

@@ -259,17 +259,35 @@ std::string aisles(const std::string& property) {
                 "detour <= 2 m", "detour <= 12 m");
 }
 
+// The same with a wall and a rack that slant.
+std::string slanting(const std::string& property) {
+  return edited(aisles(property),
+                "rectangle (0 m, 0 m) to (12 m, 9 m) - rectangle (4 m, 2 m) to (10 m, 4 m)",
+                "polygon [(0 m, 0 m), (12 m, 1 m), (12 m, 9 m), (0 m, 9 m)] - "
+                "polygon [(4 m, 2.3 m), (10 m, 2.8 m), (10 m, 4 m), (4 m, 4 m)]");
+}
+std::string to_docks(const std::string& text) {
+  return edited(edited(edited(edited(text, "retreat within", "route to home within"),
+                              "site  home(two) = (3 m, 5 m)", "site  home(two) = (2 m, 7.5 m)"),
+                       "detour <= 12 m", "detour <= 25 m"),
+                "held <= 90 s", "held <= 150 s");
+}
+
 TEST_F(Lasting, TheLegsOfAWayAreCounted) {
-  for (const std::string property : {"clearance(c, yard) >= 2 cm;", "c inside yard;"}) {
-    prove(aisles(property));
+  const std::string deep = "clearance(c, yard) >= 2 cm;", inside = "c inside yard;";
+  for (const auto& [text, led] :
+       {std::pair(aisles(deep), false), std::pair(aisles(inside), true),
+        std::pair(slanting(deep), false), std::pair(slanting(inside), true),
+        std::pair(to_docks(aisles(deep)), false), std::pair(to_docks(slanting(inside)), false)}) {
+    prove(text);
     const std::vector<Json*> claims = claims_of(report_, "lasts");
-    ASSERT_EQ(claims.size(), 1U);
+    ASSERT_EQ(claims.size(), 1U) << text;
     ASSERT_TRUE(claims[0]->contains("legs")) << claims[0]->dump();
-    EXPECT_EQ((*claims[0])["led_in_mm"] == "0", property[1] == 'l') << claims[0]->dump();
+    EXPECT_EQ((*claims[0])["led_in_mm"] != "0", led) << claims[0]->dump();
     EXPECT_EQ(rechecked().status, exit_clean);
     for (const auto& [key, by] : {std::pair("legs", -1), std::pair("legs", -100),
                                   std::pair("legs", 20), std::pair("led_in_mm", -150),
-                                  std::pair("led_in_mm", 20'000), std::pair("held_us", -1'000)}) {
+                                  std::pair("led_in_mm", 30'000), std::pair("held_us", -100'000)}) {
       Json report = report_;
       for (Json* const c : claims_of(report, "lasts")) {
         (*c)[key] = std::to_string(std::stoll((*c)[key].get<std::string>()) + by);
