@@ -161,15 +161,21 @@ std::optional<geometry::Region> between(const geometry::Region& own,
   return left;
 }
 
-bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& exact,
-                      std::int64_t radius_mm) {
+std::optional<geometry::Region> places_of_discs(const std::vector<ir::ZoneIndex>& zones,
+                                                const ExactZone& exact, std::int64_t radius_mm) {
   geometry::Region places;
   for (const ir::ZoneIndex zone : zones) {
     const auto in_it = within(exact(zone), radius_mm);
-    if (!in_it) return false;
+    if (!in_it) return std::nullopt;
     places = places.unite(*in_it);
   }
-  return is_convex(places);
+  return places;
+}
+
+bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& exact,
+                      std::int64_t radius_mm) {
+  const auto places = places_of_discs(zones, exact, radius_mm);
+  return places && is_convex(*places);
 }
 
 bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const ExactZone& exact,

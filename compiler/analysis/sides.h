@@ -36,6 +36,10 @@ std::optional<geometry::Region> between(const geometry::Region& own,
                                         const ExactZone& exact, std::int64_t own_mm,
                                         std::int64_t side_mm);
 
+// The places of discs that lie in one of the zones, but for what offsets round. nullopt: too many
+// vertices to tell.
+std::optional<geometry::Region> places_of_discs(const std::vector<ir::ZoneIndex>& zones,
+                                                const ExactZone& exact, std::int64_t radius_mm);
 // Whether the places of discs that lie in one of the zones are convex, so that straight ways from
 // one of them to another one lead over no other place.
 bool straight_between(const std::vector<ir::ZoneIndex>& zones, const ExactZone& exact,

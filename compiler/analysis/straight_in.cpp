@@ -148,6 +148,36 @@ std::int64_t led_in_mm(const Asked& asked, const Keeps& keeps) {
   }
   return fits;
 }
+// The straight ways that the search may take into the zone of a step, but for what a fence asks.
+geometry::EntryQuery straight_ways(const TakeOver& at, const ir::Recovery& step,
+                                   std::int64_t strays_mm) {
+  const ir::Body& body = at.decision.body;
+  geometry::EntryQuery query{
+      .least_mm = in_mm(body.radius_mm),
+      .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm),
+      .kept_mm = in_mm(body.radius_mm + strays_mm)};
+  // what a retreat looks for, from outside of its zone, too (runtime/core/retreat.cpp)
+  if (ir::goes_back(step.kind)) {
+    const std::int64_t slack_mm = body.end_reach_mm + body.position_error_mm;
+    query.straight_mm = {in_mm(aims_at_mm(at.decision, step)),
+                         in_mm(step.return_clearance_mm + slack_mm),
+                         in_mm(step.return_clearance_mm), in_mm(step.route_clearance_mm),
+                         in_mm(body.radius_mm + slack_mm)};
+    std::ranges::sort(query.straight_mm, std::greater());
+  }
+  // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
+  query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
+  if (at.decision.robots == 1) {
+    query.alone = {
+        in_mm(aims_at_mm(at.decision, step)),
+        ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone].cells))};
+  }
+  return query;
+}
+geometry::Table table_of(const ir::ZoneTable& zone) {
+  return {edges_of(zone), grid_of(zone)};
+}
+
 // The straight ways that the search may take from wherever a body may be in the fence. What a
 // property asks for beyond touching the fence is kept, with room for what the robot strays from a
 // way as it sees it. Where it takes over it has as much: the hold leaves room for that along walls
@@ -171,36 +201,36 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   const std::int64_t standoff_mm = led_in_mm(asked, [&](std::int64_t mm) {
     return keeps(rested.intersect(centres(at, {fence, mm + strays_mm})), mm);
   });
-  geometry::EntryQuery query{
-      .clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm),
-      .body_mm = in_mm(body.radius_mm + asked.laxest_mm + strays_mm),
-      .least_mm = in_mm(body.radius_mm),
-      .tested_mm = ir::goes_back(step.kind) ? 0 : in_mm(step.route_clearance_mm),
-      .kept_mm = in_mm(body.radius_mm + strays_mm)};
-  // what a retreat looks for, from outside of its zone, too (runtime/core/retreat.cpp)
-  if (ir::goes_back(step.kind)) {
-    const std::int64_t slack_mm = body.end_reach_mm + body.position_error_mm;
-    query.straight_mm = {in_mm(aims_at_mm(at.decision, step)),
-                         in_mm(step.return_clearance_mm + slack_mm),
-                         in_mm(step.return_clearance_mm), in_mm(step.route_clearance_mm),
-                         in_mm(body.radius_mm + slack_mm)};
-    std::ranges::sort(query.straight_mm, std::greater());
-  }
-  // what a retreat loses (loss_m), and what ways over cells do (connector_loss_m)
-  query.loss_mm = ir::goes_back(step.kind) ? 2 : 8;
-  if (at.decision.robots == 1) {
-    query.alone = {
-        in_mm(aims_at_mm(at.decision, step)),
-        ir::goes_back(step.kind) ? 0 : in_mm(joins_within_mm(at.module[step.zone].cells))};
-  }
+  geometry::EntryQuery query = straight_ways(at, step, strays_mm);
+  query.clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm);
+  query.body_mm = in_mm(body.radius_mm + asked.laxest_mm + strays_mm);
   // what has no end is not looked at cell by cell, but where what holds meanwhile keeps bodies
   if (!has_end(at.module[fence])) {
     query.starts = rested;
   }
-  const auto table_of = [&](ir::ZoneIndex zone) {
-    return geometry::Table{edges_of(at.module[zone]), grid_of(at.module[zone])};
-  };
-  return geometry::entry(table_of(step.zone), table_of(fence), query).how ==
+  return geometry::entry(table_of(at.module[step.zone]), table_of(at.module[fence]), query).how ==
+         geometry::Entry::How::within;
+}
+
+// The same of an `or`: the fence is where the centre of a body may be that lies in one of the
+// zones. It asks for no more than what the robot strays from a way, and a body in the zone of the
+// step has all of its clearance but the radius to its boundary.
+bool enters_by_sides(const TakeOver& at, const ir::Recovery& step,
+                     const std::vector<ir::ZoneIndex>& zones) {
+  constexpr std::int32_t cell_mm = 100;
+  constexpr std::int64_t grid_mm = 2;  // what is left out along a boundary that is not on it
+  if (at.decision.body.in_space) return false;
+  const std::int64_t radius_mm = at.decision.body.radius_mm;
+  const auto places = places_of_discs(zones, at.exact, radius_mm);
+  const auto snapped = places ? geometry::snap_inside(*places) : std::nullopt;
+  if (!snapped) return false;
+  const geometry::BakedZone fence = geometry::bake(*snapped, cell_mm);
+  const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
+  geometry::EntryQuery query = straight_ways(at, step, strays_mm);
+  query.clearance_mm = in_mm(strays_mm);
+  query.body_mm = in_mm(strays_mm - offsets_round_mm - grid_mm);
+  query.depth_mm = -in_mm(radius_mm + offsets_round_mm + grid_mm);
+  return geometry::entry(table_of(at.module[step.zone]), {fence.edges, fence.cells}, query).how ==
          geometry::Entry::How::within;
 }
 
@@ -227,7 +257,10 @@ bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,
   const auto straight = [&](const std::vector<ir::ZoneIndex>& zones) {
     return straight_between(zones, at.exact, at.decision.body.radius_mm);
   };
-  return std::ranges::all_of(either, straight) || starts_within(at, step.zone);
+  if (std::ranges::all_of(either, straight) || starts_within(at, step.zone)) return true;
+  return std::ranges::all_of(either, [&](const std::vector<ir::ZoneIndex>& zones) {
+    return enters_by_sides(at, step, zones);
+  });
 }
 
 }  // namespace rtac::analysis

@@ -24,6 +24,8 @@ constexpr int whole_levels = 3;
 constexpr double forgiven_mm = 9.5, beyond_loss_mm = 1.8, rounding_mm = 0.1;
 // What the search loses where its ways over cells begin (connector_loss_m).
 constexpr double over_cells_loss_mm = 8;
+// By so much the clearance that is looked for first may be less than it is told, of two roundings.
+constexpr std::int32_t aim_rounds_mm = 2;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
 // And so all of those in so many rings, from wherever in a cell of the fence it begins.
@@ -135,6 +137,10 @@ class Entering {
     }
     look_at_all();
     if (query.straight_mm.front() > 0) corners_ = corners_inwards();
+    if (query.depth_mm) {
+      depth_ = *query.depth_mm;
+      return;
+    }
     for (const EdgeRow& e : fence.edges) depth_ = std::min(depth_, to_zone(e));
   }
 
@@ -271,10 +277,16 @@ class Entering {
     const double radius = spot.radius_mm();
     const bool closely = halvings <= halvings_max - whole_levels;
     const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
+    if (goes_straight(spot, off)) {
+      return nearest_are_sound(spot, off) || in_parts(spot, cells, halvings);
+    }
+    // one as deep as it looks for first is seen: it asks for no less
+    const bool deep = is_led_straight() && std::isfinite(farthest);
+    const std::int32_t least_mm = deep ? query_.alone->aim_mm - aim_rounds_mm : query_.least_mm;
     std::vector<Cell> taken;
     bool all = true;
     for (Cell c : cells) {
-      if (distance(c.middle, middle) - radius > farthest) continue;
+      if (distance(c.middle, middle) - radius > farthest || c.clearance_mm < least_mm) continue;
       if (!c.settled) {
         looks_ += 8;
         c.settled = connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0}) ||
@@ -285,6 +297,31 @@ class Entering {
     }
     if (all && nearest_are_sound(spot, off)) return true;
     return in_parts(spot, taken, halvings);
+  }
+  // A retreat of a robot that is alone, which takes the leg straight away from the boundary, or in
+  // through it, where that leads as deep as it looks for first.
+  [[nodiscard]] bool is_led_straight() const {
+    return query_.alone && query_.alone->reach_mm == 0 && query_.straight_mm.front() > 0;
+  }
+  // And so it does from everywhere in the spot: off an edge that is the nearest one, at a right
+  // angle, to where nothing else of the boundary is as near.
+  [[nodiscard]] bool goes_straight(const Connectors::Spot& spot, double off) {
+    const double radius = spot.radius_mm(), wanted = query_.straight_mm.front();
+    if (!is_led_straight() || std::abs(off) <= radius) return false;
+    const Vec p{spot.x_mm, spot.y_mm};
+    looks_ += static_cast<std::int64_t>(zone_.edges.size());
+    return std::ranges::all_of(zone_.edges, [&](const EdgeRow& e) {
+      if (distance(nearest_on(e, p), p) > std::abs(off) + 2 * radius) return true;
+      const Vec a{double(e.a.x_mm), double(e.a.y_mm)}, b{double(e.b.x_mm), double(e.b.y_mm)};
+      const double length = distance(a, b);
+      const Vec along{(b.x - a.x) / length, (b.y - a.y) / length};
+      const double at = (p.x - a.x) * along.x + (p.y - a.y) * along.y;
+      if (at <= radius + 1 || at >= length - radius - 1) return false;
+      const Vec end{a.x + at * along.x - wanted * along.y, a.y + at * along.y + wanted * along.x};
+      return contains(end) && std::ranges::all_of(zone_.edges, [&](const EdgeRow& other) {
+               return &other == &e || distance(nearest_on(other, end), end) > wanted + radius + 1;
+             });
+    });
   }
   // The edges that may be the nearest ones of places on ways from the spot, as long as those may
   // be.
@@ -525,7 +562,7 @@ bool same_numbers(const EntryQuery& a, const EntryQuery& b) {
   const auto numbers = [](const EntryQuery& q) {
     return std::tuple(q.clearance_mm, q.body_mm, q.least_mm, q.tested_mm, q.kept_mm, q.loss_mm,
                       q.straight_mm, q.alone.has_value(), q.alone ? q.alone->aim_mm : 0,
-                      q.alone ? q.alone->reach_mm : 0, q.starts.has_value());
+                      q.alone ? q.alone->reach_mm : 0, q.depth_mm, q.starts.has_value());
   };
   return numbers(a) == numbers(b);
 }

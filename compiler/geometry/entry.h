@@ -32,6 +32,9 @@ struct EntryQuery {
     std::int32_t aim_mm = 0, reach_mm = 0;
   };
   std::optional<Alone> alone{};
+  // How far all of the zone is from the boundary of the fence, at least; of one that reaches beyond
+  // that less than 0. none: it lies in the fence, as far as that is.
+  std::optional<std::int32_t> depth_mm{};
   // Where bodies may be seen; none: everywhere in the fence.
   std::optional<Region> starts{};
 };

@@ -709,12 +709,14 @@ Found Claims::sides(const Values& v) {
     Sides sides(spec_, *d, *this);
     const Keeping kept = sides.keeping(recovery, *m->always);
     if (!kept.by_sides) return wrong("no side of it holds wherever the recovery drives");
-    for (const sema::ZoneId zone : moves_within(recovery)) {
-      if (sema::claim_of(recovery) || sides.straight_between(kept.either)) break;
-      if (starts_within(spec_, *d, *this, *m, zone)) continue;
-      return wrong("from outside of its zone the recovery may lead out of each side");
+    const auto zone = zones_.find(text(v, "zone"));
+    const std::vector<sema::ZoneId> moves = moves_within(recovery);
+    if (!zone || std::ranges::find(moves, *zone) == moves.end()) return wrong("no such zone");
+    if (sema::claim_of(recovery) || sides.straight_between(kept.either) ||
+        comes_in_by_sides(spec_, *d, *this, *m, *zone, kept.either, v)) {
+      return std::nullopt;
     }
-    return std::nullopt;
+    return wrong("from outside of its zone the recovery may lead out of each side");
   }
   return wrong("no such recovery");
 }

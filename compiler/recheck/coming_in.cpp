@@ -249,63 +249,101 @@ std::optional<Rational> strictest_led(NamedZones& zones, const WayIn& way,
 }
 
 // In the plane, cell by cell: each straight way that the recovery may take. Whoever recovers within
-// that zone loses no more than ways over cells do.
-bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                   const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
-                   const Values& v) {
+// that zone loses no more than ways over cells do. nullopt: what is claimed says too little.
+struct StraightWays {
+  Cells cells;
+  Rational strays;  // a way is driven as it is seen, and not on the millimetre
+  EnteringLimits limits;
+};
+std::optional<StraightWays> straight_ways(const sema::Spec& spec, const sema::Decision& d,
+                                          Claims& claims, sema::ZoneId zone, const Values& v) {
   const sema::RobotKind& kind = spec[d.kind];
-  const geometry::Region *const inner = claims.zones().region(zone), *const outer =
-                                                                         claims.zones().region(
-                                                                             fence);
-  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
-  if (kind.in_space || inner == nullptr || outer == nullptr || inner->empty() || !cell || !x ||
-      !y) {
-    return false;
-  }
+  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm"),
+             aim_mm = number(v, "aim_mm");
+  if (kind.in_space || !cell || !x || !y || !aim_mm) return std::nullopt;
   const Led led = led_within(spec, d, zone);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
+  const Rational strays = error + led.beside - rounding, aim = milli(*aim_mm);
   const double radius = kind.radius.value.get_d();
-  const Off off = off_of(spec, *judged.always, fence);
-  // a way is driven as it is seen, and not on the millimetre; the hold leaves as much room at rest
-  const Rational strays = error + led.beside - rounding;
-  const double body = Rational(kind.radius.value + off.laxest + strays).get_d();
-  const geometry::Solid starts =
-      where_held(claims.zones(), held_at(spec, d, judged), kind.radius.value + strays);
-  const auto led_by =
-      strictest_led(claims.zones(), {zone, fence, kind.radius.value, strays}, starts, off);
-  if (!led_by) return true;
-  const double clearance = Rational(kind.radius.value + *led_by + strays).get_d();
-  const auto aim = number(v, "aim_mm");
-  if (!aim) return false;
-  const double tested = led.over_cells ? std::max(radius, milli(*aim).get_d()) : 0;
-  EnteringLimits limits{
-      clearance, body, radius, tested, radius + strays.get_d(), led.over_cells ? 0.008 : 0.002};
+  EnteringLimits limits{0,
+                        0,
+                        radius,
+                        led.over_cells ? std::max(radius, aim.get_d()) : 0,
+                        radius + strays.get_d(),
+                        led.over_cells ? 0.008 : 0.002};
   if (led.goes_back) {
     // it looks for the clearance of return, or at least for the body and what its ways end short by
     constexpr double short_by = 0.02;
     const Rational back = claims.return_clearance(d, zone, 0);
-    if (!led.over_cells && milli(*aim) < back) return false;
+    if (!led.over_cells && aim < back) return std::nullopt;
     limits.straight_least = std::max(radius, std::min(back.get_d(), radius + short_by));
-    limits.straight_most = std::max(limits.straight_least, milli(*aim).get_d());
+    limits.straight_most = std::max(limits.straight_least, aim.get_d());
   }
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
-  if (robots == 1 && milli(*aim) >= kind.radius.value) {
+  if (robots == 1 && aim >= kind.radius.value) {
     const double width = milli(*cell).get_d();
     const double reach = led.over_cells ? std::max(0.4, 2 * width) + width : 0;
-    limits.alone = {milli(*aim).get_d(), reach};
+    limits.alone = {aim.get_d(), reach};
   }
+  return StraightWays{{*cell, *x, *y}, strays, limits};
+}
+bool stay_within(const geometry::Region& zone, const geometry::Region& fence,
+                 const StraightWays& ways) {
+  const auto found = enters_beyond(zone, ways.cells, fence, ways.limits);
+  const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);
+  return place != nullptr && !place->has_value();
+}
+
+bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                   const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
+                   const Values& v) {
+  const geometry::Region *const inner = claims.zones().region(zone), *const outer =
+                                                                         claims.zones().region(
+                                                                             fence);
+  auto ways = straight_ways(spec, d, claims, zone, v);
+  if (inner == nullptr || outer == nullptr || inner->empty() || !ways) return false;
+  // the hold leaves as much room at rest
+  const Rational& radius = spec[d.kind].radius.value;
+  const Off off = off_of(spec, *judged.always, fence);
+  const geometry::Solid starts =
+      where_held(claims.zones(), held_at(spec, d, judged), radius + ways->strays);
+  const auto led_by =
+      strictest_led(claims.zones(), {zone, fence, radius, ways->strays}, starts, off);
+  if (!led_by) return true;
+  ways->limits.clearance = Rational(radius + *led_by + ways->strays).get_d();
+  ways->limits.body = Rational(radius + off.laxest + ways->strays).get_d();
   if (!has_end(*outer)) {
     if (starts.empty()) return true;
     for (const geometry::Slab& slab : starts.slabs()) {
       if (!has_end(slab.region)) return false;
-      limits.starts.push_back(slab.region);
+      ways->limits.starts.push_back(slab.region);
     }
-    limits.starts_off = offsets_round.get_d();
+    ways->limits.starts_off = offsets_round.get_d();
   }
-  const auto found = enters_beyond(*inner, {*cell, *x, *y}, *outer, limits);
-  const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);
-  return place != nullptr && !place->has_value();
+  return stay_within(*inner, *outer, *ways);
+}
+
+// Of an `or` the fence is where the centre of a body in one of its zones may be, which the zone of
+// the recovery reaches beyond by the body.
+bool enters_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                     sema::ZoneId zone, const std::vector<sema::ZoneId>& sides, const Values& v) {
+  const geometry::Region* const inner = claims.zones().region(zone);
+  auto ways = straight_ways(spec, d, claims, zone, v);
+  if (inner == nullptr || inner->empty() || !ways) return false;
+  const Rational& radius = spec[d.kind].radius.value;
+  geometry::Region places;
+  for (const sema::ZoneId side : sides) {
+    const geometry::Region* const all = claims.zones().region(side);
+    const auto of_bodies = all != nullptr ? all->offset(-radius) : std::nullopt;
+    if (!of_bodies) return false;
+    places = places.unite(*of_bodies);
+  }
+  if (places.empty() || !has_end(places)) return false;
+  ways->limits.clearance = ways->strays.get_d();
+  ways->limits.body = std::max(Rational(ways->strays - offsets_round), Rational(0)).get_d();
+  ways->limits.depth = -Rational(radius + offsets_round).get_d();
+  return stay_within(*inner, places, *ways);
 }
 
 }  // namespace
@@ -317,6 +355,15 @@ bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& cl
   const bool level = claims.zones().region(zone) != nullptr;
   return claims.zones().convex(fence, level) || starts_within(spec, d, claims, judged, zone) ||
          enters_within(spec, d, claims, judged, zone, fence, v);
+}
+
+bool comes_in_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Monitor& judged, sema::ZoneId zone,
+                       const std::vector<std::vector<sema::ZoneId>>& either, const Values& v) {
+  return starts_within(spec, d, claims, judged, zone) ||
+         std::ranges::all_of(either, [&](const std::vector<sema::ZoneId>& sides) {
+           return enters_by_sides(spec, d, claims, zone, sides, v);
+         });
 }
 
 bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Rational& off) {

@@ -33,6 +33,11 @@ bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& cl
                      const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
                      const Values& v);
 
+// The same of ways that stay, of each of these `or`s, where a body lies in one of its zones.
+bool comes_in_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Monitor& judged, sema::ZoneId zone,
+                       const std::vector<std::vector<sema::ZoneId>>& either, const Values& v);
+
 // Whether a zone of the plane lies in one with heights at each of them, so far from its walls.
 bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Rational& off);
 

@@ -35,6 +35,10 @@ class Entries {
       starts_.push_back(segments_of(region));
     }
     if (limits.straight_most > 0) corners_ = corners_inwards();
+    if (limits.depth) {
+      depth_ = *limits.depth;
+      return;
+    }
     for (const Segment& s : zone_) depth_ = std::min(depth_, between(s, fence_));
     for (const Segment& s : fence_) depth_ = std::min(depth_, between(s, zone_));
   }
@@ -76,6 +80,8 @@ class Entries {
 
  private:
   static constexpr double square_m = 0.1, over_cells_loss_m = 0.008;
+  // The first goal is told in millimetres, rounded up twice.
+  static constexpr double rounded_m = 0.002;
   static constexpr int quarters_max = 9, ways_followed_after = 3, parts = 16;
   static constexpr std::int64_t steps_max = 12'000'000'000;
   // The search tries so many cells, ring by ring; with two rings more for the place that it begins
@@ -201,11 +207,17 @@ class Entries {
     const double asked = boundary.asked_from(from, limits_.clearance, forgiven());
     // what begins outside goes on in the zone, wherever that is
     if (!starts_.empty() && depth_ < asked) return in_quarters(boundary, from, ends, times);
+    if (leads_across(from, off)) {
+      return to_the_nearest(boundary, from, off, asked) || in_quarters(boundary, from, ends, times);
+    }
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
+    // it takes the first goal that it sees
+    const bool first = looks_straight() && farthest < 1e300;
+    const double least = first ? limits_.alone->aim - rounded_m - table_m : limits_.least;
     std::vector<End> taken;
     bool all = true;
     for (End e : ends) {
-      if (apart(e.place, middle(from)) - radius(from) > farthest) continue;
+      if (apart(e.place, middle(from)) - radius(from) > farthest || e.clearance < least) continue;
       if (!e.stays) {
         steps_ += 30;
         e.stays = boundary.keeps(from, e.place, asked) ||
@@ -216,6 +228,34 @@ class Entries {
     }
     if (all && to_the_nearest(boundary, from, off, asked)) return true;
     return in_quarters(boundary, from, taken, times);
+  }
+  // A retreat alone tries the leg across the boundary first, then a cell in sight, and only then
+  // for a goal that is less deep.
+  [[nodiscard]] bool looks_straight() const {
+    return limits_.alone && limits_.alone->reach == 0 && limits_.straight_most > 0;
+  }
+  // The leg at a right angle to the nearest segment, whichever that is, ends as far from all others
+  // as it is long: from all of the square, which the boundary does not cross, none else is taken.
+  bool leads_across(const Box& from, double off) {
+    const double round = radius(from) + snap_m, far = limits_.straight_most;
+    if (!looks_straight() || std::abs(off) <= round) return false;
+    const Place m = middle(from);
+    for (const Segment& s : zone_) {
+      if (std::sqrt(square_to(s, m.x, m.y)) > std::abs(off) + 2 * round) continue;
+      const Place a{s.ax, s.ay}, d{s.bx - s.ax, s.by - s.ay};
+      const double wide = length(d.x, d.y), along = inner(m - a, d) / wide;
+      if (along <= round || along >= wide - round) return false;
+      const Place foot{s.ax + along / wide * d.x, s.ay + along / wide * d.y};
+      Place on{-d.y / wide, d.x / wide};
+      if (!contains({foot.x + 1e-5 * on.x, foot.y + 1e-5 * on.y})) on = {-on.x, -on.y};
+      const Place end{foot.x + far * on.x, foot.y + far * on.y};
+      steps_ += static_cast<std::int64_t>(zone_.size());
+      const bool alone = std::ranges::all_of(zone_, [&](const Segment& o) {
+        return &o == &s || std::sqrt(square_to(o, end.x, end.y)) > far + round;
+      });
+      if (!alone || !contains(end)) return false;
+    }
+    return true;
   }
   bool in_quarters(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
                    int times) {

@@ -26,6 +26,9 @@ struct EnteringLimits {
     double aim, reach;
   };
   std::optional<Alone> alone{};
+  // How far all of the zone is from the boundary of the fence, at least; of one that reaches beyond
+  // it less than 0. none: it lies in the fence.
+  std::optional<double> depth{};
   // Nobody is farther than so much from these; none: a body may be anywhere in the fence. The zone
   // lies in that.
   std::vector<geometry::Region> starts{};

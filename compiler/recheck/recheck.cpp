@@ -415,10 +415,13 @@ class Check {
         fail(whom(d, e) + ": `" + recovery.name + "` is not what leads out for `" + m.name + "`");
       }
     }
-    if (asked.by_sides && !moves.empty()) {
-      need(d, e, "sides", {{"controller", recovery.name}, {"monitor", m.name}});
-    }
     for (const sema::ZoneId inner : moves) {
+      if (asked.by_sides) {
+        need(d, e, "sides",
+             {{"controller", recovery.name},
+              {"monitor", m.name},
+              {"zone", claims_.zones().name(inner)}});
+      }
       for (const sema::ZoneId outer : asked.zones) {
         lies_in(d, e, driving, m, inner, outer);
         if (inner == outer || sema::claim_of(recovery)) continue;

@@ -172,11 +172,17 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
                      s.module[inner]));
     }
   }
-  if (steps.empty() || !asked.by_sides) return;
-  claims.push_back({"sides",
+  if (!asked.by_sides) return;
+  for (const ir::Recovery* step : steps) {
+    claims.push_back(
+        with_cells({"sides",
                     {{"decision", s.decision.name},
                      {"controller", driving.recovery.name},
-                     {"monitor", judged.name}}});
+                     {"monitor", judged.name},
+                     {"zone", s.module[step->zone].name},
+                     {"aim_mm", std::to_string(analysis::aims_at_mm(s.decision, *step))}}},
+                   s.module[step->zone]));
+  }
 }
 
 std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) {

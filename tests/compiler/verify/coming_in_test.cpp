@@ -163,6 +163,65 @@ decision go for Rover { advanced pilot; period 100 ms; priority m; }
   EXPECT_NE(denied.out.find("lead across what is not convex"), std::string::npos) << denied.out;
 }
 
+// Of two rooms, where both of their places are not convex, a recovery leads into the one: each
+// straight way from the other one stays in it, past the corner between them, until a robot is in
+// the first; where the other one reaches beyond that it cuts a corner.
+std::string into_a_wing(const std::string& other) {
+  return R"(spec wings;
+zone hall  = rectangle (0 m, 0 m) to (8 m, 5 m);
+zone other = )" +
+         other + R"(;
+robot Rover {
+  body     radius 20 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 2 rad/s; accel <= 0.8 m/s^2; brake >= 1 m/s^2; turn_accel <= 6 rad/s^2; }
+  sense    position : point   error 2 cm   max_age 100 ms;
+  sense    heading  : angle   error 2 deg  max_age 100 ms;
+  sense    velocity : vector  error 2 cm/s max_age 100 ms;
+  output   drive : twist;
+  latency  50 ms;
+}
+fleet one : Rover;
+controller pilot : advanced for Rover extern;
+controller back  : safe for Rover = retreat within hall speed 0.4 m/s;
+monitor m for r : Rover { "SR-1" always r inside hall or r inside other; recover back; }
+decision go for Rover { advanced pilot; period 100 ms; priority m; }
+)";
+}
+Json& p2a_in(Json& report) {
+  for (Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") return o;
+  }
+  ADD_FAILURE() << report.dump(2);
+  return report;
+}
+TEST_F(ComingIn, StraightWaysFromOneSideOfAnOrToAnotherAreFollowed) {
+  for (const char* const other :
+       {"rectangle (4 m, 0 m) to (8 m, 9 m)", "rectangle (5 m, 2 m) to (12 m, 9 m)"}) {
+    Json report = report_of(into_a_wing(other));
+    EXPECT_EQ(p2a_in(report)["status"], "proved") << other;
+    const Outcome again = rechecked(report);
+    EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+    for (Json& claim : p2a_in(report)["claims"]) {
+      if (claim["claim"] == "sides") claim["zone"] = "other";
+    }
+    expect_denied(report, "no such zone");
+    Json& claims = p2a_in(report)["claims"];
+    for (std::size_t i = claims.size(); i-- > 0;) {
+      if (claims[i]["claim"] == "sides") claims.erase(i);
+    }
+    expect_denied(report, "it rests on no claim `sides`");
+  }
+}
+TEST_F(ComingIn, AStraightWayOutOfBothSidesIsRefuted) {
+  Json proved = report_of(into_a_wing("rectangle (5 m, 2 m) to (12 m, 9 m)"));
+  Json report = report_of(
+      into_a_wing("rectangle (5 m, 0 m) to (14 m, 2.5 m) | rectangle (11 m, 0 m) to (14 m, 9 m)"));
+  EXPECT_EQ(p2a_in(report)["status"], "refuted");
+  p2a_in(report)["status"] = "proved";
+  p2a_in(report)["claims"] = p2a_in(proved)["claims"];
+  expect_denied(report, "the recovery may lead out of each side");
+}
+
 // Off a pond, within a zone that is farther from it than is asked: whoever is outside of that keeps
 // the distance that it has on its way in, and what holds besides says where a body may be at all.
 std::string off_a_pond(const std::string& keep, const std::string& asked = "40 cm") {
