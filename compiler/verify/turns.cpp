@@ -208,7 +208,8 @@ bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::s
 }  // namespace
 
 protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix) {
-  const std::vector<Need> needs = needs_of(s);
+  // what `return when` asks for besides is no matter of the derived condition
+  const std::vector<Need> needs = joint_needs_of(s).zones;
   protocol::Arbitration known;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     known.keeps.emplace_back();
