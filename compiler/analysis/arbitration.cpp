@@ -306,19 +306,24 @@ class Pair {
                     std::int64_t land_mm) {
     if (!module_[fence].has_height()) return true;
     const ir::Body& body = decision_.body;
-    const Rational low(static_cast<long>(land_mm - beyond_mm.value_or(0) - body.radius_mm -
-                                         2 * body.position_error_mm - body.hold_mm));
+    const std::int64_t over_mm =
+        beyond_mm.value_or(0) + body.radius_mm + 2 * body.position_error_mm + body.hold_mm;
     const geometry::Solid solid = solid_(fence);
     const auto& slabs = solid.slabs();
-    bool down = beyond_mm && !slabs.empty() && slabs.front().floor * 1000 <= low;
+    bool down = beyond_mm && !slabs.empty();
     for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
       down = down && slabs[k].ceiling == slabs[k + 1].floor &&
              slabs[k].region.contains(slabs[k + 1].region);
     }
-    if (down) return true;
+    const std::int64_t least_mm =
+        down ? ceil_to_int(Rational(slabs.front().floor * 1000)) + over_mm : 0;
+    if (down && land_mm >= least_mm) return true;
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
     entry_.help = "`brake_and_hold` works";
+    if (down && least_mm < slabs.back().ceiling * 1000) {
+      entry_.help = "`land to " + metres(least_mm) + "` works, or " + entry_.help;
+    }
     return false;
   }
   // What keeps its height (rule 7.8) is in the fence as long as that has the zone at each height.

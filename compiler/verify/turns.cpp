@@ -128,8 +128,12 @@ const protocol::Answer* first(const Answers& answers, protocol::Answer::Kind kin
 // While inputs ask for a recovery that leads out of what another monitor says, that one takes over,
 // leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
 // to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
-std::string turns_while_told(const Subject& s, const analysis::Arbitration& matrix) {
+struct WhileTold {
+  std::string why, repair;  // of the first pair; of all, where one is enough
+};
+WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix) {
   const auto& monitors = s.decision.monitors;
+  WhileTold found;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     const ir::Recovery& asked = monitors[i].recovery;
     const auto steps = ir::steps_of(asked);
@@ -146,12 +150,14 @@ std::string turns_while_told(const Subject& s, const analysis::Arbitration& matr
       const ir::RecoveryKind back = ir::last_step(monitors[j].recovery).kind;
       const bool stands = back == ir::RecoveryKind::brake || !monitors[j].hold_reason.empty();
       if (stands || matrix[i][j].while_told) continue;
-      return "as long as inputs ask for " + quoted(asked.name) + ", it and " +
-             quoted(monitors[j].recovery.name) +
-             " may take over from each other: " + matrix[i][j].why;
+      if (!found.why.empty()) return {found.why, ""};
+      found = {"as long as inputs ask for " + quoted(asked.name) + ", it and " +
+                   quoted(monitors[j].recovery.name) +
+                   " may take over from each other: " + matrix[i][j].why,
+               matrix[i][j].help};
     }
   }
-  return "";
+  return found;
 }
 
 Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answer) {
@@ -277,8 +283,9 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {
     return unknown(std::move(o), s, *open);
   }
-  if (std::string why = turns_while_told(s, matrix); !why.empty()) {
-    o.because = std::move(why);
+  if (WhileTold told = turns_while_told(s, matrix); !told.why.empty()) {
+    o.because = std::move(told.why);
+    o.repair = std::move(told.repair);
     return o;
   }
   o.status = reasons.empty() ? Status::proved : Status::acknowledged;

@@ -331,5 +331,15 @@ TEST_F(ReturnWhen, ConditionsThatExcludeEachOtherHaveNoJointReturn) {
   EXPECT_EQ(status("joint return", ""), "refuted");
 }
 
+// To be deeper in the hall than control is given back at the dock is asked of the fence alone,
+// which the way home keeps: nobody takes over from that for ever.
+TEST_F(ReturnWhen, WhatItAsksForBesidesIsNoMatterOfOthers) {
+  const Outcome o = verified(returning("clearance(r, hall) >= 1.8 m"), {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(status("switching", ""), "proved") << o.out;
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

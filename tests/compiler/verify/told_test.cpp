@@ -208,6 +208,43 @@ decision fly for Quad { advanced policy; period 50 ms; priority walls > storm; )
             Statuses{"unknown"});
 }
 
+// A landing that ends too low for where it is led back in: the least height that is high enough is
+// said, and is.
+TEST_F(Told, TheHeightToLandAtIsSaid) {
+  const auto flight = [](const std::string& height) {
+    return R"(spec low;
+zone air = prism (rectangle (0 m, 0 m) to (40 m, 40 m)) from 1 m to 30 m;
+input lost : bool max_age 500 ms;
+robot Quad {
+  body radius 40 cm;
+  motion point { speed <= 3 m/s; accel <= 2.5 m/s^2; brake >= 2.5 m/s^2; }
+  sense position : point3 error 8 cm max_age 50 ms;
+  sense velocity : vector3 error 8 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down : safe for Quad = land to )" +
+           height + R"( speed 0.5 m/s;
+controller back : safe for Quad = retreat within air speed 0.6 m/s;
+monitor walls for d : Quad { "R1: in the air" always clearance(d, air) >= 30 cm; recover back; }
+monitor link for d : Quad { "R2: it sinks without a link" always not lost; recover down; }
+decision fly for Quad { advanced policy; period 50 ms; priority walls > link; }
+)";
+  };
+  const Outcome low = verified(flight("1.9 m"), {"--format", "json"});
+  EXPECT_EQ(statuses(low.out, "switching", ""), Statuses{"unknown"}) << low.out;
+  const std::string works = "m` works, or `brake_and_hold` works", to = "`land to ";
+  const std::size_t end = low.out.find(works), from = low.out.rfind(to, end) + to.size();
+  ASSERT_NE(end, std::string::npos) << low.out;
+  const std::string metres = low.out.substr(from, end - from);
+  expect_proved(flight(metres + "m"));
+  const std::string less = std::to_string(std::stod(metres) - 0.001) + " m";
+  const Outcome lower = verified(flight(less), {"--format", "json"});
+  EXPECT_EQ(statuses(lower.out, "switching", ""), Statuses{"unknown"}) << lower.out;
+}
+
 // Slow enough for either limit, in whatever order.
 TEST_F(Told, EitherSideOfAChoiceIsKeptByARecoveryThatIsSlowEnough) {
   expect_proved(yard_with(by_load, "0.4 m/s", "fence > told"));
