@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "compiler/analysis/arbitration.h"
+#include "compiler/analysis/effort.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/magnitudes.h"
 #include "compiler/analysis/reach.h"
@@ -65,11 +66,16 @@ class Deriver {
                        const Trials::Worth& worth,
                        std::shared_ptr<const EvaluatedZones> zones = nullptr) {
     diag::Engine aside;
-    auto derived = Deriver(spec, sources, aside, {}, false, std::move(zones)).run(Finding::is_told);
+    const bool same_zones = zones != nullptr;
+    Deriver anew(spec, sources, aside, {}, false, std::move(zones));
+    auto derived = anew.run(Finding::is_told);
     Faults found = faults_of(aside);
+    found.effort = effort_of(derived ? derived->module : anew.out_.module, same_zones);
     if (!judge) return found;
     found.complete = derived && worth(found);
-    if (found.complete) found.all.merge(judge(spec, std::move(*derived), aside));
+    if (!found.complete) return found;
+    found.effort *= 2;
+    found.all.merge(judge(spec, std::move(*derived), aside));
     return found;
   }
 

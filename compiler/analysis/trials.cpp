@@ -1,17 +1,17 @@
 #include "compiler/analysis/trials.h"
 
 #include <algorithm>
-#include <ctime>
 #include <vector>
 
 namespace rtac::analysis {
 namespace {
 
-// Of one specification: a report is no search that lasts. In seconds of the processor, so that what
-// is offered does not hang on what else the machine does.
-constexpr int runs_most = 200, seconds_most = 30, seconds_of_remark_most = 10;
-// Of these, runs that ask what is shown; after that, reports alone have to do.
-constexpr int shown_most = 40, seconds_of_shown_most = 5;
+// Of one specification: a report is no search that lasts. Efforts are of some 30 s, and of 10 s.
+constexpr int runs_most = 200;
+constexpr std::int64_t effort_most = 3'000'000, effort_of_remark_most = 1'000'000;
+// Of these, runs that ask what is shown; after that, reports alone have to do. Some 5 s.
+constexpr int shown_most = 40;
+constexpr std::int64_t effort_of_shown_most = 500'000;
 // Where a run takes long, a number is looked for to within this share of it.
 constexpr std::int64_t near_enough = 200;
 // From the guess to the last number, each so many times nearer to that.
@@ -86,28 +86,26 @@ const Faults& Trials::as_written(bool shown) {
 }
 
 const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& worth,
-                           int most_seconds) {
+                           std::int64_t most_effort) {
   const auto [at, is_new] = known_.try_emplace({dial.name, steps});
   const bool asks_more = !is_new && at->second && !at->second->complete && worth(*at->second);
-  if ((is_new || asks_more) && runs_ < runs_most && ticks_ / CLOCKS_PER_SEC < most_seconds) {
-    const std::clock_t start = std::clock();
+  if ((is_new || asks_more) && runs_ < runs_most && effort_ < most_effort) {
     if (dial.write(steps)) {
       ++runs_;
       at->second = run_(!dial.of_zone, worth);
     }
     dial.restore();
-    const std::clock_t took = std::clock() - start;
-    ticks_ += took;
+    if (at->second) effort_ += at->second->effort;
     if (at->second && at->second->complete) {
       ++shown_;
-      ticks_of_shown_ += took;
+      effort_of_shown_ += at->second->effort;
     }
   }
   return at->second ? &*at->second : nullptr;
 }
 
 bool Trials::may_show() const {
-  return shown_ < shown_most && ticks_of_shown_ / CLOCKS_PER_SEC < seconds_of_shown_most;
+  return shown_ < shown_most && effort_of_shown_ < effort_of_shown_most;
 }
 
 bool Trials::mends(const Faults& found, const Goal& goal) {
@@ -171,14 +169,14 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   const Worth mends_it = [&](const Faults& found) {
     return goal.shown && mends(found, goal) && may_show();
   };
-  const int most_seconds = is_remark(goal.fault.code) ? seconds_of_remark_most : seconds_most;
+  const std::int64_t most_effort = is_remark(goal.fault.code) ? effort_of_remark_most : effort_most;
   std::optional<std::int64_t> good;
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
   // what is shown of a larger zone takes the longer, the larger it is
   const bool nothing_else = goal.shown && dial.of_zone;
   for (const std::int64_t at : probes(guess, nothing_else ? guess : dial.far)) {
-    const Faults* const found = with(dial, at, mends_it, most_seconds);
+    const Faults* const found = with(dial, at, mends_it, most_effort);
     if (found != nullptr && mends(*found, goal) && no_less(*found, as_written(goal.shown)) &&
         (!good || left_by(*found) < left_by(*left))) {
       good = at;
@@ -190,7 +188,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   }
   if (!good) return std::nullopt;
   const auto works = [&](std::int64_t at) {
-    const Faults* const found = with(dial, at, mends_it, most_seconds);
+    const Faults* const found = with(dial, at, mends_it, most_effort);
     return found != nullptr && !found->all.contains(goal.fault) && no_more_wrong(*found, *left) &&
            no_less(*found, *left);
   };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <optional>
@@ -27,7 +26,8 @@ struct Fault {
 };
 struct Faults {
   std::set<Fault> all;
-  bool complete = true;  // what is not shown is among them
+  bool complete = true;     // what is not shown is among them
+  std::int64_t effort = 0;  // that it took to find them (effort.h)
 };
 Fault fault_of(diag::Code code, const std::optional<SourceRange>& range);
 Faults faults_of(const diag::Engine& diagnostics);
@@ -76,8 +76,9 @@ class Trials {
   std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
   const Faults& as_written(bool shown);
   // nullptr: refused, or too many
-  const Faults* with(const Dial& dial, std::int64_t steps, const Worth& worth, int most_seconds);
-  // Whether there is time to ask what is shown.
+  const Faults* with(const Dial& dial, std::int64_t steps, const Worth& worth,
+                     std::int64_t most_effort);
+  // Whether it is not too much to ask what is shown.
   [[nodiscard]] bool may_show() const;
   bool mends(const Faults& found, const Goal& goal);
   [[nodiscard]] std::ptrdiff_t open_at(const Faults& found, const Fault& fault) const;
@@ -86,7 +87,7 @@ class Trials {
   Run run_;
   bool reports_alone_ = false;
   int runs_ = 0, shown_ = 0;
-  std::clock_t ticks_ = 0, ticks_of_shown_ = 0;
+  std::int64_t effort_ = 0, effort_of_shown_ = 0;
   std::optional<Faults> as_written_;
   bool asked_ = false;  // what is not shown of it
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;

@@ -69,19 +69,19 @@ double fastest_mps(const Loop& loop, double from_m, std::int64_t turns_ms, const
   for (std::int64_t ms = 0; ms < 60'000; ++ms) {
     past.emplace_front(x, v);
     if (past.size() > static_cast<std::size_t>(loop.age_ms) + 1) past.pop_back();
-    const double side = ms / turns_ms % 2 == 0 ? 1 : -1;
+    const double towards = ms / turns_ms % 2 == 0 ? 1 : -1;
     if (ms % loop.period_ms == 0) {
       const auto [then_m, then_mps] = past.back();
       const std::int64_t stamp_us = std::max<std::int64_t>(0, 1000 * (ms - loop.age_ms));
       coming.emplace_back(ms + loop.latency_ms,
-                          command(1000 * ms, stamp_us, then_m - side * position_error_m,
-                                  then_mps - side * loop.velocity_error));
+                          command(1000 * ms, stamp_us, then_m - towards * position_error_m,
+                                  then_mps - towards * loop.velocity_error));
     }
     while (!coming.empty() && coming.front().first <= ms) {
       acting = coming.front().second;
       coming.pop_front();
     }
-    const double a = acting + side * loop.push;
+    const double a = acting + towards * loop.push;
     x += 1e-3 * v + 0.5e-6 * a;
     v += 1e-3 * a;
     fastest = std::max(fastest, std::abs(v));

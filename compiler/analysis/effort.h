@@ -1,0 +1,15 @@
+// What it takes to try a specification once, so that what is offered hangs neither on the machine
+// nor on what else that does.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/ir/module.h"
+
+namespace rtac::analysis {
+
+// In steps of about 10 us on a machine of 2020: what is looked at of each cell that a recovery
+// drives over; and, where zones are evaluated anew, of each edge from each cell.
+std::int64_t effort_of(const ir::Module& module, bool same_zones);
+
+}  // namespace rtac::analysis
