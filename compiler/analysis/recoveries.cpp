@@ -332,8 +332,10 @@ class Recoveries {
     if (diagnostics_.has_errors()) return;                      // numbers that do not work out yet
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     const Ways ways = ways_of(module_, decision_, last);
-    if (ways.stranded.empty()) too_narrow(last);
-    if (ways.stranded.empty() || ways.stranded.front().cells < stranded_cells_least) return;
+    // a few cells that no way leads from may be all that is seen of a passage that is too narrow
+    if (ways.stranded.empty() || ways.stranded.front().cells < stranded_cells_least) {
+      return too_narrow(last);
+    }
     const Stranded& part = ways.stranded.front();
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t cell_mm = zone.cells.cell_mm;

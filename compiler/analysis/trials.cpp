@@ -8,10 +8,10 @@ namespace {
 
 // Of one specification: a report is no search that lasts. Efforts are of some 30 s, and of 10 s.
 constexpr int runs_most = 200;
-constexpr std::int64_t effort_most = 3'000'000, effort_of_remark_most = 1'000'000;
-// Of these, runs that ask what is shown; after that, reports alone have to do. Some 5 s.
+constexpr std::int64_t effort_most = 4'500'000, effort_of_remark_most = 1'500'000;
+// Besides, runs that ask what is shown, of some 5 s; after that, reports alone have to do.
 constexpr int shown_most = 40;
-constexpr std::int64_t effort_of_shown_most = 500'000;
+constexpr std::int64_t effort_of_shown_most = 750'000;
 // Where a run takes long, a number is looked for to within this share of it.
 constexpr std::int64_t near_enough = 200;
 // From the guess to the last number, each so many times nearer to that.
@@ -95,10 +95,9 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& wo
       at->second = run_(!dial.of_zone, worth);
     }
     dial.restore();
-    if (at->second) effort_ += at->second->effort;
-    if (at->second && at->second->complete) {
-      ++shown_;
-      effort_of_shown_ += at->second->effort;
+    if (at->second) {
+      shown_ += at->second->complete ? 1 : 0;
+      (at->second->complete ? effort_of_shown_ : effort_) += at->second->effort;
     }
   }
   return at->second ? &*at->second : nullptr;
@@ -169,13 +168,14 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   const Worth mends_it = [&](const Faults& found) {
     return goal.shown && mends(found, goal) && may_show();
   };
-  const std::int64_t most_effort = is_remark(goal.fault.code) ? effort_of_remark_most : effort_most;
+  // what the reports have taken is not missing where it is asked what is shown
+  const std::int64_t most_effort =
+      (is_remark(goal.fault.code) ? effort_of_remark_most : effort_most) +
+      (goal.shown ? effort_of_shown_most : 0);
   std::optional<std::int64_t> good;
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
-  // what is shown of a larger zone takes the longer, the larger it is
-  const bool nothing_else = goal.shown && dial.of_zone;
-  for (const std::int64_t at : probes(guess, nothing_else ? guess : dial.far)) {
+  for (const std::int64_t at : probes(guess, dial.far)) {
     const Faults* const found = with(dial, at, mends_it, most_effort);
     if (found != nullptr && mends(*found, goal) && no_less(*found, as_written(goal.shown)) &&
         (!good || left_by(*found) < left_by(*left))) {
@@ -199,9 +199,10 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   const auto enough = [&] {
     return takes_long ? std::max<std::int64_t>(1, *good / near_enough) : 1;
   };
-  // most guesses are right, or nearly so
-  for (std::int64_t by = bad > *good ? enough() : -enough(); std::abs(bad - *good) > std::abs(by);
-       by *= 2) {
+  // most guesses are right, or nearly so; where one was none, the number is anywhere in between
+  const bool near = *good == guess;
+  for (std::int64_t by = bad > *good ? enough() : -enough();
+       near && std::abs(bad - *good) > std::abs(by); by *= 2) {
     if (!works(*good + by)) {
       bad = *good + by;
       break;

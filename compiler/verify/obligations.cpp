@@ -371,18 +371,25 @@ void repair_unseen(const sema::Spec& spec, const std::vector<diag::Diagnostic>& 
   }
 }
 
-// Where ways lead nowhere, the zone that the check has tried (5020).
+// Where ways lead nowhere, or are not found, the zone that the check has tried: of a passage that
+// is too narrow, the one in which control is given back all along it (5020, 5021).
 void repair_ways(const sema::Spec& spec, const std::vector<diag::Diagnostic>& found,
                  Report& report) {
   for (Decision& decision : report.decisions) {
     for (Obligation& o : decision.obligations) {
-      if (o.kind != Kind::p2b || o.status != Status::refuted || !o.repair.empty()) continue;
+      const bool open = o.status == Status::refuted || o.status == Status::unknown;
+      if (o.kind != Kind::p2b || !open || !o.repair.empty()) continue;
       const auto m = std::ranges::find(spec.monitors, o.monitor, &sema::Monitor::name);
       const auto tried = std::ranges::find_if(found, [&](const diag::Diagnostic& d) {
-        return d.code == Code::no_way_back && m != spec.monitors.end() && is_about(d, *m) &&
+        const bool of_ways = d.code == Code::no_way_back || d.code == Code::corridor_too_narrow;
+        return of_ways && m != spec.monitors.end() && is_about(d, *m) &&
                d.help.find(" works") != std::string::npos;
       });
-      if (tried != found.end()) o.repair = tried->help;
+      if (tried == found.end()) continue;
+      o.repair = tried->help;
+      if (tried->code == Code::corridor_too_narrow) {
+        o.repair = o.repair.substr(o.repair.find("; ") + 2) + ": control is given back all along";
+      }
     }
   }
 }

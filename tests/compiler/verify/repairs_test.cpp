@@ -99,6 +99,41 @@ TEST_F(Repaired, AClearanceIsSoSmallThatWaysLeadRound) {
   EXPECT_FALSE(proved(asked(1.05 * most), "P2b", "off")) << most;
 }
 
+std::string two_rooms(const std::string& grown) {
+  return R"(spec rooms;
+zone plan = rectangle (0 m, 0 m) to (4 m, 4 m) | rectangle (4 m, 1.5 m) to (10 m, 2.6 m) | rectangle (10 m, 0 m) to (14 m, 4 m);
+zone rooms = )" +
+         grown + R"(;
+robot Bot {
+  body    radius 40 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense   position : point  error 2 cm   max_age 100 ms;
+  sense   velocity : vector error 2 cm/s max_age 100 ms;
+  output  push : acceleration;
+  latency 50 ms;
+}
+fleet bot : Bot;
+controller run  : advanced for Bot extern;
+controller back : safe for Bot = retreat within rooms speed 0.3 m/s;
+monitor walls for r : Bot { "R1" always r inside rooms; recover back; }
+decision drive for Bot { advanced run; period 100 ms; priority walls; }
+)";
+}
+
+// Between two rooms there is a corridor that a retreat finds no way out of: it is told how wide it
+// would have to be, though a few cells of it are all that is not led back from.
+TEST_F(Repaired, ACorridorIsSoWideThatControlIsGivenBackAllAlong) {
+  const std::string repair = repair_of(two_rooms("plan"), "P2b", "walls");
+  const double by = number_after(repair, "`grow(rooms, ");
+  const auto grown = [](double m) { return two_rooms("grow(plan, " + std::to_string(m) + " m)"); };
+  EXPECT_TRUE(proved(grown(by), "P2b", "walls")) << by;
+  const auto narrow = [&](double m) {
+    return verified(grown(m), {}).err.find("control is never given back") != std::string::npos;
+  };
+  EXPECT_FALSE(narrow(by)) << by;
+  EXPECT_TRUE(narrow(0.95 * by)) << by;
+}
+
 // An order that works is in the report; one that only breaks another pair is nowhere.
 TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
   const auto high = [](const std::string& order) {
