@@ -484,10 +484,6 @@ bool is_convex(const Region& region) {
   return true;
 }
 
-bool comes_nearer(const diag::Diagnostic& report) {
-  return report.code == diag::Code::recovery_elsewhere && report.label == nearer_label;
-}
-
 std::optional<Region> within(const Region& region, std::int64_t mm) {
   constexpr std::size_t vertices_most = 4000;  // two seconds
   if (region.vertices() > vertices_most) return std::nullopt;

@@ -37,8 +37,4 @@ std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
                                         const ir::Decision& decision, const ir::Monitor& monitor,
                                         Trials* trials);
 
-// The 5016 of a recovery that stays in the zone of its property, and need not keep what that asks
-// for beyond touching its boundary: that it does not is a matter of where its ways lead.
-bool comes_nearer(const diag::Diagnostic& report);
-
 }  // namespace rtac::analysis

@@ -23,6 +23,8 @@ std::string speed_text(std::int64_t mmps) {
   return to_decimal(Rational(mmps, 1000)) + " m/s";
 }
 
+constexpr const char* never_given_back = "` can never hand control back: ";
+
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
 // where nothing else of it holds.
 class Limits {
@@ -163,7 +165,7 @@ class Limits {
           "latency and an `ahead` that are shorter";
     }
     report(limit,
-           "monitor `" + monitor_.name + "` can never hand control back: " +
+           "monitor `" + monitor_.name + never_given_back +
                from_rest_text(of_.spec[of_.written.kind], need_mmps_),
            std::move(help));
   }
@@ -316,6 +318,11 @@ std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of) {
     for (diag::Diagnostic& found : Limits(of, k).run()) all.push_back(std::move(found));
   }
   return all;
+}
+
+bool is_too_fast_at_rest(const diag::Diagnostic& report) {
+  return report.code == diag::Code::speed_limit_unkept &&
+         report.message.find(never_given_back) != std::string::npos;
 }
 
 }  // namespace rtac::analysis

@@ -34,5 +34,7 @@ bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judg
 
 // 5033, of each comparison that asks for at most some speed.
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of);
+// The 5033 of a limit that gives control back nowhere, whatever the recovery does.
+bool is_too_fast_at_rest(const diag::Diagnostic& report);
 
 }  // namespace rtac::analysis

@@ -29,7 +29,7 @@ Scenario place(const std::vector<std::int64_t>& mm) {
 
 Scenario starts_at(const verify::Start& start, const std::vector<std::string>& robots) {
   Scenario all = Scenario::object();
-  all[robots.front()]["at"] = place(start.place_mm);
+  if (!start.place_mm.empty()) all[robots.front()]["at"] = place(start.place_mm);
   for (std::size_t i = 0; i < start.others_mm.size() && i + 1 < robots.size(); ++i) {
     all[robots[i + 1]]["at"] = place(start.others_mm[i]);
   }
@@ -66,6 +66,13 @@ Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
   if (start.battery_ppm) {
     there["starts"][robots.front()]["battery"] =
         std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
+  }
+  if (start.place_mm.empty()) {
+    // what a battery is measured with is taken to be as old as it is: fresh, the look-ahead has
+    // least to spare
+    there["adversary"] = "fresh-samples";
+    there["runs"] = 24;
+    there["duration_s"] = 30;
   }
   return there;
 }
@@ -123,7 +130,9 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
     }
     for (const verify::Start& start : o.starts) {
       Scenario there = about;
-      there["starts"][robots.front()]["at"] = place(start.place_mm);
+      there["starts"] = starts_at(start, robots);
+      all.push_back(there);
+      there["ages"] = "unequal";  // that the motion may have changed in between counts as well
       all.push_back(std::move(there));
     }
     if (o.monitor == charge && !charge.empty()) {
@@ -138,7 +147,7 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
   anywhere["runs"] = 60;
   tight["runs"] = 20;
   tight["starts"] = "tight";
-  tight["duration_s"] = 300;
+  tight["duration_s"] = std::clamp<std::int64_t>(o.patience_s, 300, 3600);
   Scenario deaf = tight, undecided = tight;
   deaf["duration_s"] = 3600;  // until a recovery that waits for others has spent the charge
   deaf["deaf_from_s"] = 5;

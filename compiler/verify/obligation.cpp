@@ -47,6 +47,10 @@ const char* name(Status status) {
   return "";
 }
 
+std::string by_diagnostic(diag::Code code) {
+  return "diagnostic " + std::to_string(static_cast<int>(code));
+}
+
 Status worst(const Report& report) {
   constexpr std::array order = {Status::refuted, Status::unknown, Status::acknowledged};
   for (const Status status : order) {

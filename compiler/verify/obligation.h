@@ -32,6 +32,9 @@ enum class Status { proved, refuted, unknown, acknowledged };
 // "proved"
 const char* name(Status status);
 
+// How an error of the analysis refutes: "diagnostic 5013".
+std::string by_diagnostic(diag::Code code);
+
 // What another program can check without knowing how it was found: a kind of statement and its
 // numbers, as text (docs/verification.md, certificates).
 struct Claim {
@@ -41,7 +44,7 @@ struct Claim {
 
 // Where a robot stands at the start of a run that may show something, and others beside it.
 struct Start {
-  std::vector<std::int64_t> place_mm;                  // two coordinates, or three in space
+  std::vector<std::int64_t> place_mm;  // two coordinates, or three in space; none: anywhere
   std::vector<std::vector<std::int64_t>> others_mm{};  // of the next robots; the rest: anywhere
   std::optional<std::int64_t> battery_ppm{};           // of a full one
 };
@@ -79,7 +82,8 @@ struct Obligation {
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;
   std::optional<LockUp> lock_up{};  // of P2b, which a run shows
-  // Of P2b: how long a run waits for control, at least, before it counts as never given back.
+  // Of P2b: how long a run waits for control, at least, before it counts as never given back. Of
+  // P2a, of what takes charge on its way: how long that way takes.
   std::int64_t patience_s = 0;
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what
   // the property says; the likeliest first.

@@ -7,11 +7,12 @@
 #include <utility>
 
 #include "compiler/analysis/joint_return.h"
-#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
+#include "compiler/verify/starts.h"
 #include "compiler/verify/turns.h"
 
 namespace rtac::verify {
@@ -139,12 +140,10 @@ class Prover {
   Decision out_;
 };
 
-// As many attempts as there are, less those that start anywhere.
-constexpr std::size_t own_starts_most = 4;
-
 // Which obligation an error of the analysis refutes; none: it is of another kind.
-std::optional<Kind> refuted_by(Code code) {
-  switch (code) {
+std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
+  if (analysis::is_apart_for_ever(d)) return Kind::joint_return;
+  switch (d.code) {
     case Code::lookahead_too_short:
     case Code::latency_too_long:
       return Kind::p1a;
@@ -157,10 +156,11 @@ std::optional<Kind> refuted_by(Code code) {
     case Code::landing_outside:
     case Code::window_without_way_out:
     case Code::window_may_pass:
-    case Code::speed_limit_unkept:
     case Code::others_unkept:
     case Code::agent_unkept:
       return Kind::p2a;
+    case Code::speed_limit_unkept:
+      return analysis::is_too_fast_at_rest(d) ? Kind::p2b : Kind::p2a;
     case Code::site_outside_zone:
     case Code::return_set_empty:
     case Code::site_not_returnable:
@@ -176,6 +176,13 @@ std::optional<Kind> refuted_by(Code code) {
     default:
       return std::nullopt;
   }
+}
+
+// What is not shown to be kept need not be broken: a recovery may never lead where it could be, nor
+// drive as fast before somebody takes over, and robots may see each other early enough.
+bool takes_a_run(const diag::Diagnostic& d) {
+  return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
+         (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 
 // A recovery that moves elsewhere leads to where its own zone has room, which says nothing of what
@@ -285,10 +292,10 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   Obligation o;
   o.kind = kind;
   o.status = Status::refuted;
-  o.method = "diagnostic " + std::to_string(static_cast<int>(d.code));
+  o.method = by_diagnostic(d.code);
   o.because = d.message;
   o.repair = d.help;
-  o.by_a_run = analysis::comes_nearer(d);
+  o.by_a_run = takes_a_run(d);
   if (d.code == Code::site_outside_zone) o.not_shown = "no way can end there, and no run has to";
   const bool of_decision = kind == Kind::joint_return;
   std::size_t at = 0;
@@ -318,7 +325,8 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
   }
   // What was shown of the rest of it is no proof any more.
   auto& all = report.decisions[at].obligations;
-  if (d.code == Code::return_set_empty && !of_decision) refute_joint_return(o.monitor, all);
+  const bool never = d.code == Code::return_set_empty || analysis::is_too_fast_at_rest(d);
+  if (never && !of_decision) refute_joint_return(o.monitor, all);
   const auto same = std::find_if(all.begin(), all.end(), [&](const Obligation& other) {
     return other.kind == o.kind && other.monitor == o.monitor;
   });
@@ -336,8 +344,7 @@ void add_refuted(const sema::Spec& spec, const diag::Diagnostic& d, Kind kind, R
 // Where a monitor by itself never gives control back, numbers are offered that have been tried on
 // the whole specification: of all monitors together nothing else is the matter.
 void repair_together(Report& report) {
-  const std::string never_by_itself =
-      "diagnostic " + std::to_string(static_cast<int>(Code::return_set_empty));
+  const std::string never_by_itself = by_diagnostic(Code::return_set_empty);
   for (Decision& decision : report.decisions) {
     auto& all = decision.obligations;
     const auto own = std::ranges::find_if(all, [&](const Obligation& o) {
@@ -454,29 +461,6 @@ void drop_own(const sema::Spec& spec, Report& report) {
   }
 }
 
-// From where a recovery that moves elsewhere leads out of the property of its own monitor, whoever
-// of those that share it has it drive.
-void add_starts(const Subject& s, Decision& decision) {
-  const auto& monitors = s.decision.monitors;
-  if (s.decision.on_plan) return;
-  for (Obligation& o : decision.obligations) {
-    if (o.status != Status::refuted) continue;
-    const bool pair = o.kind == Kind::keeps && o.starts.empty();
-    if (o.kind != Kind::p2a && !pair) continue;
-    for (std::size_t judged = 0; judged < monitors.size(); ++judged) {
-      if (monitors[judged].name != o.monitor) continue;
-      for (std::size_t driving = 0; driving < monitors.size(); ++driving) {
-        const std::string& leads = pair ? o.recovery : monitors[judged].recovery.name;
-        if (monitors[driving].recovery.name != leads) continue;
-        for (Start& start : starts_of_damage(s, driving, judged)) {
-          o.starts.push_back(std::move(start));
-        }
-      }
-    }
-    if (o.starts.size() > own_starts_most) o.starts.resize(own_starts_most);
-  }
-}
-
 }  // namespace
 
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
@@ -501,8 +485,7 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
     if (diag::info(d.code).severity != diag::Severity::error) continue;
     // of a place that is read, and no recovery leads to
     if (d.code == Code::site_outside_zone && d.monitor.empty()) continue;
-    const auto kind =
-        analysis::is_apart_for_ever(d) ? std::optional(Kind::joint_return) : refuted_by(d.code);
+    const auto kind = refuted_by(d);
     // what the matrix says already
     if (kind && *kind != Kind::keeps) add_refuted(spec, d, *kind, report);
   }
