@@ -49,6 +49,13 @@ bool in_motion(const Obligation& o) {
          o.not_shown.empty();
 }
 
+// Whether agents walk up to who stands is what a run is about, or nobody's fault.
+Agents agents_for(const Obligation& o) {
+  if (o.unending) return Agents::stand;
+  const bool walked_up = o.method == verify::by_diagnostic(diag::Code::agent_unkept);
+  return walked_up ? Agents::walk_up : Agents::as_declared;
+}
+
 // One obligation, and the scenarios that are not played to their end.
 struct Sought {
   Obligation* of;
@@ -149,10 +156,9 @@ class Showing {
     if (!write_all({{file, scenario.dump()}}).empty()) return std::nullopt;
     const double begin_s = core_seconds_of_children();
     std::string table;
-    const int status =
-        simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown", "--core-s",
-                        std::to_string(std::lround(most_s))},
-                       c_, table, sought.of->unending ? Agents::stand : Agents::as_declared);
+    const int status = simulator_.run({"--scenario", file, "--trace", trace, "--until", "shown",
+                                       "--core-s", std::to_string(std::lround(most_s))},
+                                      c_, table, agents_for(*sought.of));
     const double took_s = core_seconds_of_children() - begin_s;
     left_s_ -= took_s;
     if (shown_ > 0 && sought.rank() > 0) besides_s_ -= took_s;

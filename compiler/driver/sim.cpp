@@ -1,6 +1,7 @@
 #include "compiler/driver/sim.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
 #include "compiler/codegen/generate.h"
 #include "compiler/codegen/simulation.h"
@@ -55,8 +55,7 @@ std::string base_name(const std::string& path) {
 }
 
 // What is generated of the module, which is gone then; what went wrong, or nothing was generated.
-std::string compile_kernel(const Options& options, Compilation& c, const std::string& manifest,
-                           const std::string& folder) {
+std::string compile_kernel(const Options& options, Compilation& c, const std::string& folder) {
   const std::vector<DecisionInterface> decisions =
       decision_interfaces(*c.module, *c.spec, sim_kernel_name);
   codegen::Naming naming;
@@ -69,7 +68,6 @@ std::string compile_kernel(const Options& options, Compilation& c, const std::st
     files.push_back({std::move(file.name), std::move(file.text)});
   }
   if (files.empty()) return nothing_mutated;
-  files.push_back({"simulation.json", manifest});
   return compile_object(files, sim_glue(decisions, sim_kernel_source), folder);
 }
 
@@ -102,32 +100,23 @@ std::vector<std::string> predictions(const ir::Module& module) {
   return {"--predicted", all};
 }
 
-// Who stands is not to blame for an agent that walks up to it, where that is accepted (6004).
-// Elsewhere it counts, at any speed: a run that shows what is refused has to violate something.
-std::string with_who_stands(const std::string& manifest, const ir::Module& module) {
+constexpr std::array every_way = {Agents::as_declared, Agents::stand, Agents::walk_up};
+const char* file_of(Agents agents) {
+  return agents == Agents::stand     ? "/standing.json"
+         : agents == Agents::walk_up ? "/walking_up.json"
+                                     : "/simulation.json";
+}
+// The same specification, whose agents take no step, or count however slow a robot is.
+std::string manifest_where(Agents agents, const std::string& manifest) {
   constexpr double never_mps = -1;  // nobody is as slow
   auto told = nlohmann::ordered_json::parse(manifest);
   for (auto& decision : told["decisions"]) {
-    for (const ir::Decision& d : module.decisions) {
-      const bool accepted = analysis::unkept_agents(d).empty();
-      if (d.name == decision["name"] && !accepted) decision["rest_mps"] = never_mps;
-    }
-  }
-  return told.dump() + "\n";
-}
-
-// The same specification, whose agents take no step.
-std::string with_agents_that_stand(const std::string& manifest) {
-  auto told = nlohmann::ordered_json::parse(manifest);
-  for (auto& decision : told["decisions"]) {
     if (!decision.contains("agents")) continue;
+    if (agents == Agents::walk_up) decision["rest_mps"] = never_mps;
+    if (agents != Agents::stand) continue;
     for (auto& agent : decision["agents"]) agent["speed_mps"] = 0;
   }
   return told.dump() + "\n";
-}
-
-const char* manifest_of(Agents agents) {
-  return agents == Agents::stand ? "/standing.json" : "/simulation.json";
 }
 
 // What the program has not understood, as it says itself: a line, after a tab what would work, and
@@ -160,12 +149,14 @@ int Simulator::build(const Options& options, Compilation& c) {
                   exit_inconclusive);
   }
   predicted_ = predictions(*c.module);
-  const std::string manifest = with_who_stands(told.manifest, *c.module);
   std::string problem = folder_.problem();
-  if (problem.empty()) problem = compile_kernel(options, c, manifest, folder());
-  const std::string standing = with_agents_that_stand(manifest);
-  sum_where_they_stand_ = sum_of(standing);
-  if (problem.empty()) problem = write_all({{folder() + manifest_of(Agents::stand), standing}});
+  std::vector<OutputFile> manifests;
+  for (const Agents agents : every_way) {
+    manifests.push_back({folder() + file_of(agents), manifest_where(agents, told.manifest)});
+    sums_[static_cast<std::size_t>(agents)] = sum_of(manifests.back().text);
+  }
+  if (problem.empty()) problem = write_all(manifests);
+  if (problem.empty()) problem = compile_kernel(options, c, folder());
   if (problem == nothing_mutated) return refuse_mutant(options, c);
   if (problem.empty()) return exit_clean;
   return refuse(c, diag::Code::no_kernel, problem,
@@ -177,14 +168,17 @@ Agents Simulator::agents_of(const std::string& trace) const {
   std::ifstream in(trace);
   std::string line;
   for (int k = 0; k < head_lines; ++k) std::getline(in, line);
-  return line == "manifest " + sum_where_they_stand_ ? Agents::stand : Agents::as_declared;
+  for (const Agents agents : every_way) {
+    if (line == "manifest " + sums_[static_cast<std::size_t>(agents)]) return agents;
+  }
+  return Agents::as_declared;
 }
 
 int Simulator::run(const std::vector<std::string>& flags, Compilation& c, std::string& said,
                    Agents agents) {
   const std::string out = folder() + "/said", wrong = folder() + "/wrong";
   std::vector<std::string> words{simulator(), "--kernel", folder() + "/kernel.so", "--manifest",
-                                 folder() + manifest_of(agents)};
+                                 folder() + file_of(agents)};
   words.insert(words.end(), flags.begin(), flags.end());
   const ProgramResult result = run_program(words, out, wrong);
   if (!result.started) {

@@ -1,6 +1,7 @@
 // `rtac sim`: robots under attack, in virtual time.
 #pragma once
 
+#include <array>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -20,9 +21,11 @@ int simulate(const Options& options, Compilation& c, std::ostream& out);
 int simulate_shares(const std::string& runs, const Options& options, Compilation& c,
                     std::ostream& out);
 
-// How the agents of a run move: as the simulator has them, or not at all, which is none of the ways
-// that it has, and one that they are free to choose.
-enum class Agents { as_declared, stand };
+// How the agents of a run move, and when they count: as the simulator has them; or they stand,
+// which is none of the ways that it has, and one that they are free to choose; or they count as
+// well while a robot stands, who is not to blame for one that walks up to it, unless that is what
+// is refuted.
+enum class Agents { as_declared, stand, walk_up };
 
 // The compiled decisions of a module, for as many calls of `rtac-sim` as it takes.
 class Simulator {
@@ -43,7 +46,7 @@ class Simulator {
  private:
   TemporaryFolder folder_;
   std::vector<std::string> predicted_;
-  std::string sum_where_they_stand_;  // of the manifest
+  std::array<std::string, 3> sums_;  // of the manifests, by how agents move
 };
 
 }  // namespace rtac::driver

@@ -221,6 +221,8 @@ void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Ob
   if (pair == all.end()) {
     all.push_back(std::move(refuted));
   } else if (pair->status != Status::acknowledged) {
+    // where the matrix has an argument, there is one
+    if (pair->status == Status::refuted && !pair->by_a_run) refuted.by_a_run = false;
     refuted.starts = std::move(pair->starts);
     refuted.unmet = std::move(pair->unmet);
     *pair = std::move(refuted);

@@ -284,7 +284,7 @@ decision go for Rover { advanced pilot; period 20 ms; priority m; }
   EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
   EXPECT_EQ(rechecked(proved).status, exit_clean);
   Json nearer = report_of(behind_a_wall("5 cm"));
-  EXPECT_EQ(p2a_of(nearer)["status"], "refuted");
+  EXPECT_EQ(p2a_of(nearer)["status"], "unknown");  // nothing but a run refutes it
   for (Json& o : nearer["decisions"][0]["obligations"]) {
     if (o["obligation"] == "P2a") o = p2a_of(proved);
   }

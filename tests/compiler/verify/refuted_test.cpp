@@ -287,9 +287,10 @@ TEST_F(Unrecorded, WhatIsShownAndTooLongToKeepIsNotCalledNotShown) {
 // told to, keeps a list of what it is asked for.
 class Attacks : public InFolder {
  protected:
-  // Of a call: its `--core-s`, and the scenario.
+  // Of a call: its `--core-s`, the file of the manifest, and the scenario.
   struct Call {
     int core_s;
+    std::string manifest;
     Json scenario;
   };
   // `answer`: what the script does, which knows $core, $scenario and $trace.
@@ -298,10 +299,10 @@ class Attacks : public InFolder {
           "#!/bin/sh\n"
           "for word; do\n"
           "  case $before in --core-s) core=$word;; --scenario) scenario=$word;;\n"
-          "    --trace) trace=$word;; esac\n"
+          "    --trace) trace=$word;; --manifest) manifest=$word;; esac\n"
           "  before=$word\n"
           "done\n"
-          "echo \"$core $(cat \"$scenario\")\" >> \"${0%/*}/calls\"\n" +
+          "echo \"$core ${manifest##*/} $(cat \"$scenario\")\" >> \"${0%/*}/calls\"\n" +
               answer);
     fs::permissions("sim.sh", fs::perms::owner_all);
     ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
@@ -310,8 +311,10 @@ class Attacks : public InFolder {
     std::vector<Call> all;
     std::istringstream lines(read("calls"));
     for (std::string line; std::getline(lines, line);) {
-      const std::size_t gap = line.find(' ');
-      all.push_back({std::stoi(line.substr(0, gap)), Json::parse(line.substr(gap))});
+      std::istringstream words(line);
+      Call call;
+      words >> call.core_s >> call.manifest >> call.scenario;
+      all.push_back(std::move(call));
     }
     return all;
   }
@@ -377,6 +380,9 @@ decision fly for Rover { advanced drive; period 50 ms; priority walls > apart; }
   EXPECT_LE(all.size(), 5U);
   EXPECT_EQ(all[0].scenario["about"], "apart");
   EXPECT_EQ(all[1].scenario["about"], "walls");
+  // who walks up to a robot that stands counts for what is refuted for that, and for nothing else
+  EXPECT_EQ(all[0].manifest, "walking_up.json");
+  EXPECT_EQ(all[1].manifest, "simulation.json");
   for (std::size_t k = 2; k < all.size(); ++k) {
     EXPECT_TRUE(all[k].scenario.contains("return_within_s")) << all[k].scenario;
   }

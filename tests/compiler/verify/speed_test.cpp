@@ -1,5 +1,7 @@
 // A recovery that drives faster than the property of another monitor allows: nobody may take it for
 // one that keeps that, also where it is acknowledged that it does not.
+#include <cstdlib>
+
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
@@ -58,8 +60,13 @@ TEST_F(FastRecovery, WhoIsStoppedForEverIsNoProofOfAnEnd) {
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
+// A run refutes it, on the way back from the wall.
 TEST_F(FastRecovery, WhatIsRefusedIsNotProvedEither) {
-  const Outcome o = verified(cart("0.9 m/s", "fence > calm", ""), {"--format", "json"});
+  const std::string fast = cart("0.9 m/s", "fence > calm", "");
+  EXPECT_EQ(statuses(verified(fast, {"--format", "json"}).out, "C", "calm"), Statuses{"unknown"});
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  const Outcome o = verified(fast, {"--format", "json"});
+  ::unsetenv("RTAC_SIM");
   EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"refuted"}) << o.out;
 }

@@ -254,11 +254,11 @@ TEST_F(Told, EitherSideOfAChoiceIsKeptByARecoveryThatIsSlowEnough) {
 }
 
 // A limit that a robot at rest does not exceed gives control back to a recovery that is faster, and
-// so on for ever: no rank mends that.
+// so on for ever: no rank mends that, though none of them has to break it.
 TEST_F(Told, ALimitThatLetsGoIsKeptByEverybody) {
   const std::string lets_go = "estop implies r.speed <= 0.85 m/s";
   const Outcome o = verified(yard_with(lets_go, "0.9 m/s", "told > fence"));
-  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out;
   EXPECT_NE(o.err.find("error[5033]"), std::string::npos) << o.err;
   expect_proved(yard_with(lets_go, "0.85 m/s", "told > fence"));
 }
