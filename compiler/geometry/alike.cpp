@@ -7,12 +7,26 @@
 
 namespace rtac::geometry {
 
-Alike::Alike(const CellGrid& cells, const ClearCells& clear, Connectors connectors,
-             int around_cells, double legs_mm)
-    : surroundings_(clear.numbers_around(around_cells)),
+namespace {
+
+// Numbers of pairs of numbers.
+std::vector<int> pairs_of(const std::vector<int>& some, const std::vector<int>& others) {
+  Numbers numbers;
+  std::vector<int> all;
+  for (std::size_t i = 0; i < some.size(); ++i) all.push_back(numbers.of({some[i], others[i]}));
+  return all;
+}
+
+}  // namespace
+
+Alike::Alike(const CellGrid& cells, const ClearCells& clear, const ClearCells& may_be_clear,
+             Connectors connectors, int around_cells, double legs_mm)
+    : surroundings_(
+          pairs_of(clear.numbers_around(around_cells), may_be_clear.numbers_around(around_cells))),
       looked_at_(
           static_cast<std::int64_t>(surroundings_.size()) *
           (std::min(2 * around_cells, cells.columns) + std::min(2 * around_cells, cells.rows))) {
+  const int legs = static_cast<int>(legs_mm / cells.cell_mm) + 1;
   Numbers numbers;
   for (int r = 0; r < cells.rows; ++r) {
     for (int c = 0; c < cells.columns; ++c) {
@@ -20,7 +34,7 @@ Alike::Alike(const CellGrid& cells, const ClearCells& clear, Connectors connecto
       kinds_.push_back(-1);
       if (cells.clearance_mm_lo[cell] < 0) continue;
       std::vector<std::int32_t> key{surroundings_[cell]};
-      if (!clear.at(c, r)) {
+      if (!clear.all(c - legs, r - legs, c + legs, r + legs)) {
         const double size_mm = cells.cell_mm;
         connectors.look_around(cells.origin.x_mm + c * size_mm, cells.origin.y_mm + r * size_mm,
                                size_mm, legs_mm);

@@ -10,19 +10,20 @@
 
 namespace rtac::geometry {
 
-// Two cells are of one kind where the same cells around them are clear, each moved to the other,
-// up to `around_cells` to each side; and where they are not clear themselves, the edges that
-// connectors up to `legs_mm` long are tested against are the same, too, off the cell. So a pair of
-// cells is told by both kinds and by how the one lies off the other, as long as of it
+// Two cells are of one kind where the same cells around them are or may be clear, each moved to the
+// other, up to `around_cells` to each side; and where not all are clear as far as legs lead, the
+// edges that connectors up to `legs_mm` long are tested against are the same, too, off the cell. So
+// a pair of cells is told by both kinds and by how the one lies off the other, as long as of it
 // - no other cell is asked for, and of cells only which of them are clear,
 // - places are only compared with places: of binary fractions of millimetres, the differences are
 //   exact in doubles, wherever the cells are,
-// - edges are only asked for by `Connectors`, from cells that are not clear. What these say of one
-//   place of the zone holds at the other, too, because they leave room for the errors of doubles.
+// - edges are only asked for by `Connectors`, of legs over cells that are not all clear. What these
+//   say of one place of the zone holds at the other, too, because they leave room for the errors of
+//   doubles.
 class Alike {
  public:
-  Alike(const CellGrid& cells, const ClearCells& clear, Connectors connectors, int around_cells,
-        double legs_mm);
+  Alike(const CellGrid& cells, const ClearCells& clear, const ClearCells& may_be_clear,
+        Connectors connectors, int around_cells, double legs_mm);
 
   // From 0 on; negative: the cell is outside of the zone.
   [[nodiscard]] int kind(int cell) const { return kinds_[static_cast<std::size_t>(cell)]; }

@@ -25,11 +25,62 @@ constexpr int halvings_max = 5, halvings_of_both_max = 3;
 // all of those in so many rings.
 constexpr int far_cells_max = 20;
 // Cells and legs that are looked at, over all pairs.
-constexpr std::int64_t looks_max = 800'000'000;
+constexpr std::int64_t looks_max = 1'600'000'000;
 // So many pairs that part are remembered, as a power of 2.
 constexpr int known_bits = 20;
 // Cells that ways are remembered of: of two bits each, 200 MB.
 constexpr std::size_t known_ways_max = 800'000'000;
+
+// Where robots are put that find no way: so many places of a cell, each way, of two cells and of
+// those up to `aside` beside them. From there the search may look as far as this for a leg.
+constexpr int finely = 8, coarsely = 4, aside = 2, farthest_cells = 45;
+
+// Steps of two robots, the shortest first.
+std::vector<std::array<Step, 2>> steps_aside() {
+  std::vector<std::array<Step, 2>> all;
+  constexpr int wide = 2 * aside + 1;
+  for (int i = 0; i < wide * wide * wide * wide; ++i) {
+    const auto digit = [&](int unit) { return i / unit % wide - aside; };
+    all.push_back(
+        {Step{digit(1), digit(wide)}, Step{digit(wide * wide), digit(wide * wide * wide)}});
+  }
+  std::ranges::stable_sort(all, {}, [](const std::array<Step, 2>& both) {
+    int length = 0;
+    for (const auto& [columns, rows] : both) length += columns * columns + rows * rows;
+    return length;
+  });
+  return all;
+}
+// Of pairs of places the one nearest to their mean.
+std::array<Vec, 2> midst_of(const std::vector<std::array<Vec, 2>>& all) {
+  std::array<Vec, 2> mean{};
+  for (const auto& pair : all) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      mean[i].x += pair[i].x / static_cast<double>(all.size());
+      mean[i].y += pair[i].y / static_cast<double>(all.size());
+    }
+  }
+  return *std::ranges::min_element(all, {}, [&](const std::array<Vec, 2>& pair) {
+    return squared(pair[0].x - mean[0].x) + squared(pair[0].y - mean[0].y) +
+           squared(pair[1].x - mean[1].x) + squared(pair[1].y - mean[1].y);
+  });
+}
+
+// What is proved has to be found once more from exact outlines, of which cells beside slanting
+// edges are not known to the millimetre (recheck/grid.h): whether ways lead over those that are so
+// much clearer or less is left open. And legs lose what outlines differ by of what is forgiven
+// them.
+bool slants(const EdgeRow& e) {
+  return e.a.x_mm != e.b.x_mm && e.a.y_mm != e.b.y_mm;
+}
+struct Unsure {
+  std::int32_t clearance_mm = 0;
+  double forgiven_mm = 7;
+};
+Unsure unsure_of(const std::vector<EdgeRow>& edges) {
+  constexpr Unsure beside_slanting{5, 2};
+  return std::ranges::any_of(edges, slants) ? beside_slanting : Unsure{};
+}
 
 class Search {
  public:
@@ -40,9 +91,11 @@ class Search {
         size_(cells.cell_mm),
         far_mm_(std::min(1.5 * query.clearance_mm + 4 * size_ + 400, far_cells_max * size_)),
         window_(static_cast<int>(std::ceil(query.goal_mm / size_)) + 3),
-        clear_(cells, query.clearance_mm),
-        alike_(cells, clear_, Connectors(edges, query.clearance_mm, query.body_mm), around_cells(),
-               far_mm_),
+        unsure_(unsure_of(edges)),
+        clear_(cells, query.clearance_mm + unsure_.clearance_mm),
+        may_be_clear_(cells, query.clearance_mm - unsure_.clearance_mm),
+        alike_(cells, clear_, may_be_clear_, connectors(), around_cells(), far_mm_),
+        stands_(edges, query.clearance_mm, std::max(query.body_mm, query.stands_mm + 1)),
         holds_somebody_(alike_.kinds()),
         places_(cells.clearance_mm_lo.size()) {
     looks_ += alike_.looked_at();
@@ -93,16 +146,19 @@ class Search {
   struct Patch {
     Connectors::Spot spot;
     std::vector<int> sound;
-    std::vector<std::optional<bool>> far{};  // the same of those farther off, once it is asked for
+    // the same of those that graze what is not clear, and of those farther off, once it is asked
+    // for
+    std::vector<std::optional<bool>> grazing{}, far{};
     std::vector<std::optional<Patch>> parts{};  // none: no body can be there
     int last = -1;  // the leg that did for one place of the other robot: often for the next, too
     std::shared_ptr<Ways> ways{};
   };
   struct Place {
     bool looked_at = false;
-    std::vector<int> landings;               // the search joins to all of them,
-    std::vector<int> far;                    // or else to the nearest one of these: by distance
-    std::unique_ptr<Connectors> connectors;  // of a cell that is not clear enough for ways
+    std::vector<int> landings;  // the search joins to all of them,
+    std::vector<int> grazing;   // these among them, from a clear cell, not over clear cells alone,
+    std::vector<int> far;       // or else to the nearest one of these: by distance
+    std::unique_ptr<Connectors> connectors;  // none: all is clear as far as legs lead
     std::optional<Patch> patch;
   };
   struct Robot {
@@ -125,8 +181,15 @@ class Search {
     return {static_cast<std::int32_t>(std::lround(p.x)),
             static_cast<std::int32_t>(std::lround(p.y))};
   }
-  // Ways lead over it.
+  // Ways lead over it; or else, of one that only may be among those, no way does, but whoever
+  // stands there may have to begin with it.
   [[nodiscard]] bool is_clear(int cell) const { return clear_.at(column(cell), row(cell)); }
+  [[nodiscard]] bool may_be_clear(int cell) const {
+    return may_be_clear_.at(column(cell), row(cell));
+  }
+  [[nodiscard]] Connectors connectors() const {
+    return {edges_, query_.clearance_mm, query_.body_mm, unsure_.forgiven_mm};
+  }
   static Box box_of(const Connectors::Spot& spot) {
     return {{spot.x_mm, spot.y_mm}, spot.side_mm / 2};
   }
@@ -145,7 +208,7 @@ class Search {
   // both cells beside it.
   [[nodiscard]] std::uint8_t steps_from(int cell) const {
     std::uint8_t all = 0;
-    for (std::size_t i = 0; i < steps.size() && is_clear(cell); ++i) {
+    for (std::size_t i = 0; i < steps.size() && may_be_clear(cell); ++i) {
       const int c = column(cell) + steps[i].columns, r = row(cell) + steps[i].rows;
       if (c < 0 || r < 0 || c >= cells_.columns || r >= cells_.rows) continue;
       const bool passes = is_clear(r * cells_.columns + c) &&
@@ -229,51 +292,57 @@ class Search {
     // of that: in a corner about as far off as ways are clear
     const double reach_mm = landing_reach_mm();
     around(cell, far_mm_, [&](int to) {
-      if (!is_clear(to)) return;
+      if (!may_be_clear(to)) return;
       const double off_mm = std::hypot(middle(to).x - m.x, middle(to).y - m.y);
-      if (off_mm <= reach_mm) {
-        p.landings.push_back(to);
-      } else if (off_mm <= far_mm_ && !is_clear(cell)) {
-        p.far.push_back(to);
-      }
+      if (off_mm > far_mm_) return;
+      (off_mm <= reach_mm ? p.landings : p.far).push_back(to);
     });
     std::ranges::stable_sort(p.far, {}, [&](int to) { return squared_off(to, m); });
-    if (is_clear(cell)) {
-      // every place between is as clear as ways are
-      std::erase_if(p.landings, [&](int to) { return !all_clear(cell, to); });
-      p.patch = Patch{{m.x, m.y, size_, 0}, {}};
-      p.patch->sound = p.landings;
+    if (!all_clear_around(cell)) {
+      p.connectors = std::make_unique<Connectors>(connectors());
+    }
+    if (!is_clear(cell)) {
+      const double half = size_ / 2;
+      p.patch = patch_of(p, p.connectors->look_around(m.x - half, m.y - half, size_, far_mm_));
       return p;
     }
-    p.connectors = std::make_unique<Connectors>(edges_, query_.clearance_mm, query_.body_mm);
-    p.patch =
-        patch_of(p, p.connectors->look_around(m.x - size_ / 2, m.y - size_ / 2, size_, far_mm_));
+    p.patch = Patch{{m.x, m.y, size_, static_cast<double>(query_.clearance_mm)}, {}};
+    std::ranges::partition_copy(
+        p.landings, std::back_inserter(p.patch->sound), std::back_inserter(p.grazing),
+        [&](int to) { return p.connectors == nullptr || all_clear(cell, to); });
+    if (p.connectors) p.connectors->look_around(m.x - size_ / 2, m.y - size_ / 2, size_, far_mm_);
     return p;
+  }
+  // As far as legs lead from there, every place between is as clear as ways are.
+  [[nodiscard]] bool all_clear_around(int cell) const {
+    const int far = static_cast<int>(far_mm_ / size_) + 1, c = column(cell), r = row(cell);
+    return clear_.all(c - far, r - far, c + far, r + far);
   }
   std::optional<Patch> patch_of(const Place& p, const Connectors::Spot& spot) {
     if (p.connectors->holds_nobody(spot)) return std::nullopt;
     Patch patch{spot, {}};
     std::ranges::copy_if(p.landings, std::back_inserter(patch.sound),
-                         [&](int to) { return is_sound(p, spot, to); });
+                         [&](int to) { return is_clear(to) && is_sound(p, spot, to); });
     return patch;
   }
   bool is_sound(const Place& p, const Connectors::Spot& spot, int to) {
+    if (p.connectors == nullptr) return true;
     looks_ += 10;
     return p.connectors->is_sound(spot, {middle(to).x, middle(to).y, 0});
   }
-  void cut(const Place& p, Patch& patch) {
+  void cut(Robot one) {
+    const auto& [cell, place, patch] = one;
     if (!patch.parts.empty()) return;
-    const double off = patch.spot.side_mm / 4, half = patch.spot.side_mm / 2;
-    if (p.connectors) {
-      for (const Connectors::Spot& part : p.connectors->quarters(patch.spot)) {
-        patch.parts.push_back(patch_of(p, part));
+    if (!is_clear(cell)) {
+      for (const Connectors::Spot& part : place.connectors->quarters(patch.spot)) {
+        patch.parts.push_back(patch_of(place, part));
       }
       return;
     }
-    for (const double y : {-off, off}) {
-      for (const double x : {-off, off}) {
-        patch.parts.emplace_back(
-            Patch{{patch.spot.x_mm + x, patch.spot.y_mm + y, half, 0}, patch.sound});
+    const auto& [x_mm, y_mm, side_mm, gap_mm] = patch.spot;
+    for (const double y : {y_mm - side_mm / 4, y_mm + side_mm / 4}) {
+      for (const double x : {x_mm - side_mm / 4, x_mm + side_mm / 4}) {
+        patch.parts.emplace_back(Patch{{x, y, side_mm / 2, gap_mm}, patch.sound});
       }
     }
   }
@@ -281,10 +350,10 @@ class Search {
   bool they_part(int one, int other) {
     if (!place(one).patch || !place(other).patch) return true;  // nobody is there
     const Robot a{one, place(one), *place(one).patch}, b{other, place(other), *place(other).patch};
-    by_far_cells_ = false;  // mostly
+    by_all_legs_ = false;  // mostly
     const bool near_do = !a.place.landings.empty() || !b.place.landings.empty();
     if (near_do && they_part(a, b, halvings_of_both_max)) return true;
-    by_far_cells_ = true;
+    by_all_legs_ = true;
     return they_part(a, b, halvings_of_both_max);
   }
   // From wherever the two stand in their patches, a way is sure to be found for one of them.
@@ -302,8 +371,8 @@ class Search {
     });
     if (either) return true;
     if (halvings == 0 || looks_ > looks_max) return false;
-    cut(one.place, one.patch);
-    cut(other.place, other.patch);
+    cut(one);
+    cut(other);
     const auto each = [](Patch& patch, const auto& holds) {
       return std::all_of(patch.parts.begin(), patch.parts.end(),
                          [&](std::optional<Patch>& part) { return !part || holds(*part); });
@@ -315,51 +384,65 @@ class Search {
     });
   }
 
-  // Of the places in two cells that ways lead over from which both set out over the middles of
-  // these alone, and neither way leads on: those in the midst of all, where a little to either side
-  // makes no difference. Else the middles of the cells.
+  // Of the places in two cells, or in cells beside them, those in the midst of all from which
+  // neither leaves, where a little to either side makes no difference. Else the middles of the
+  // cells.
   Parting stuck_in(int one, int other) {
+    for (const auto& [by_one, by_other] : steps_aside()) {
+      const int a = moved(one, by_one), b = moved(other, by_other);
+      if (a < 0 || b < 0) continue;
+      const bool same = a == one && b == other;
+      const auto all = stuck_places(a, b, same ? finely : coarsely);
+      if (all.empty()) continue;
+      const auto& [p, q] = midst_of(all);
+      return {Parting::How::stuck, rounded(p), rounded(q)};
+    }
+    return {Parting::How::stuck, rounded(middle(one)), rounded(middle(other))};
+  }
+  [[nodiscard]] int moved(int cell, Step by) const {
+    const int c = column(cell) + by.columns, r = row(cell) + by.rows;
+    const bool on_grid = c >= 0 && r >= 0 && c < cells_.columns && r < cells_.rows;
+    return on_grid ? r * cells_.columns + c : -1;
+  }
+  std::vector<std::array<Vec, 2>> stuck_places(int one, int other, int each_way) {
     std::vector<std::array<Vec, 2>> all;
-    const bool both_clear = is_clear(one) && is_clear(other);
-    const std::vector<Patch> places = both_clear ? places_in(one) : std::vector<Patch>{};
-    std::vector<Patch> others = both_clear ? places_in(other) : std::vector<Patch>{};
-    for (Patch a : places) {
+    std::vector<Patch> others = places_in(other, each_way);
+    for (Patch& a : places_in(one, each_way)) {
       for (Patch& b : others) {
         const Box here = box_of(a.spot), there = box_of(b.spot);
-        const Box both{there.middle, here.half + there.half};
-        const bool near = !is_beyond(here.middle, both, query_.apart_mm);
-        const bool join = recedes(middle(one), here, there) && recedes(middle(other), there, here);
-        if (!near || !join) continue;
-        if (leads(one, {other, place(other), b}) || leads(other, {one, place(one), a})) continue;
+        if (is_beyond(here.middle, {there.middle, 0}, query_.apart_mm)) continue;
+        if (!is_beyond(here.middle, {there.middle, 0}, query_.nearest_mm)) continue;
+        if (may_leave(one, a, {other, place(other), b})) continue;
+        if (may_leave(other, b, {one, place(one), a})) continue;
         all.push_back({here.middle, there.middle});
       }
     }
-    if (all.empty()) return {Parting::How::stuck, rounded(middle(one)), rounded(middle(other))};
-    std::array<Vec, 2> mean{};
-    for (const auto& pair : all) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        mean[i].x += pair[i].x / static_cast<double>(all.size());
-        mean[i].y += pair[i].y / static_cast<double>(all.size());
-      }
-    }
-    const auto& midst = *std::ranges::min_element(all, {}, [&](const std::array<Vec, 2>& pair) {
-      return squared(pair[0].x - mean[0].x) + squared(pair[0].y - mean[0].y) +
-             squared(pair[1].x - mean[1].x) + squared(pair[1].y - mean[1].y);
-    });
-    return {Parting::How::stuck, rounded(midst[0]), rounded(midst[1])};
+    return all;
   }
-  // In rows, each of 1 mm.
-  [[nodiscard]] std::vector<Patch> places_in(int cell) const {
-    constexpr int each_way = 16;
+  // Places of 1 mm in rows, where a robot can be put.
+  std::vector<Patch> places_in(int cell, int each_way) {
     const double apart = size_ / each_way;
     const Vec m = middle(cell), first{m.x - (size_ - apart) / 2, m.y - (size_ - apart) / 2};
     std::vector<Patch> all;
     for (int row = 0; row < each_way; ++row) {
       for (int column = 0; column < each_way; ++column) {
-        all.push_back(Patch{{first.x + column * apart, first.y + row * apart, 1, 0}, {}});
+        const Vec at{first.x + column * apart, first.y + row * apart};
+        if (stands_.holds_nobody(stands_.look_around(at.x - 0.5, at.y - 0.5, 1, 0))) continue;
+        all.push_back(Patch{{at.x, at.y, 1, 0}, {}});
       }
     }
     return all;
+  }
+  // As the search looks, but that nothing stands in the way of legs.
+  bool may_leave(int cell, const Patch& one, Robot other) {
+    const Box here = box_of(one.spot), there = box_of(other.patch.spot);
+    if (is_clear(cell) && recedes(middle(cell), here, there)) return leads(cell, other);
+    const auto goes = [&](int to) {
+      return may_be_clear(to) && !comes_nearer(middle(to), here, there) && leads(to, other);
+    };
+    bool does = std::ranges::any_of(place(cell).landings, goes);  // mostly
+    around(cell, farthest_cells * size_, [&](int to) { does = does || goes(to); });
+    return does;
   }
 
   // From wherever the one stands in its patch, the search finds a way for it.
@@ -376,7 +459,7 @@ class Search {
       return true;
     }
     if (halvings == 0 || looks_ > looks_max) return false;
-    cut(one.place, one.patch);
+    cut(one);
     return std::all_of(one.patch.parts.begin(), one.patch.parts.end(),
                        [&](std::optional<Patch>& part) {
                          return !part || leaves({one.cell, one.place, *part}, other, halvings - 1);
@@ -390,7 +473,7 @@ class Search {
   // Where its own cell is clear enough and the leg to the middle of that recedes, the search begins
   // with that alone.
   bool begins(Robot one, Robot other) {
-    return one.place.connectors != nullptr || leads_if_joined(one.cell, one, other);
+    return !may_be_clear(one.cell) || leads_if_joined(one.cell, one, other);
   }
   bool leads_if_joined(int cell, Robot one, Robot other) {
     return leads(cell, other) ||
@@ -401,7 +484,7 @@ class Search {
     const auto& [cell, place, patch] = one;
     const auto does = [&](int to) {
       ++looks_;
-      return is_good(middle(to)) && leads(to, other);
+      return is_clear(to) && is_good(middle(to)) && leads(to, other);
     };
     if (patch.last >= 0 && does(patch.last)) return true;
     const auto found = std::find_if(patch.sound.begin(), patch.sound.end(), does);
@@ -409,38 +492,52 @@ class Search {
       patch.last = *found;
       return true;
     }
-    if (!by_far_cells_) return false;
-    patch.far.resize(place.far.size());
-    for (std::size_t i = 0; i < place.far.size(); ++i) {
-      const int to = place.far[i];
-      ++looks_;
-      if (!is_good(middle(to)) || !all_lead_up_to(to, one, other)) continue;
-      if (!patch.far[i]) patch.far[i] = is_sound(place, patch.spot, to);
-      if (*patch.far[i]) return true;
+    if (!by_all_legs_) return false;
+    for (std::size_t i = 0; i < place.grazing.size(); ++i) {
+      if (!does(place.grazing[i])) continue;
+      if (is_sound_from(place, patch, place.grazing, patch.grazing, i)) return true;
     }
-    return false;
+    return some_far_leg(one, other, does);
   }
   // The search begins with the nearest cell that it joins to: with this one, or with one that is
   // nearer. Of those that may be, all are among the landings unless this is one of the farthest.
-  bool all_lead_up_to(int landing, Robot one, Robot other) {
-    const Box here = box_of(one.patch.spot);
-    const double reach_mm = std::sqrt(farthest_squared({middle(landing), 0}, here));
-    if (reach_mm + size_ > far_mm_) return false;
-    const auto may_lead_back = [&](int to) {
+  template <class Does>
+  bool some_far_leg(Robot one, Robot other, const Does& does) {
+    const auto& [cell, place, patch] = one;
+    const Box here = box_of(patch.spot);
+    const Vec m = middle(cell);
+    // from there on one may lead back; of those that are farther off not yet looked at
+    double back_mm = far_mm_;
+    const auto look_at = [&](int to) {
       ++looks_;
-      return !is_beyond(middle(to), here, reach_mm) && !leads_if_joined(to, one, other);
+      const double off_mm = std::sqrt(nearest_squared(middle(to), here));
+      if (off_mm < back_mm && !leads_if_joined(to, one, other)) back_mm = off_mm;
     };
-    const Vec m = middle(one.cell);
-    const double farthest = squared(reach_mm + size_);  // from there none is nearer to the patch
-    const auto& far = one.place.far;
-    const auto end = std::ranges::find_if(
-        far, [&](int to) { return squared_off(to, m) > farthest || may_lead_back(to); });
-    return (end == far.end() || squared_off(*end, m) > farthest) &&
-           std::ranges::none_of(one.place.landings, may_lead_back);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < place.far.size(); ++i) {
+      const int to = place.far[i];
+      if (squared_off(to, m) > squared(back_mm + size_)) return false;
+      if (!does(to)) continue;
+      const double reach_mm = std::sqrt(farthest_squared({middle(to), 0}, here));
+      if (next == 0) std::ranges::for_each(place.landings, look_at);
+      while (next < place.far.size() &&
+             squared_off(place.far[next], m) <= squared(reach_mm + size_)) {
+        look_at(place.far[next++]);
+      }
+      if (reach_mm + size_ > far_mm_ || reach_mm >= back_mm) continue;
+      if (is_sound_from(place, patch, place.far, patch.far, i)) return true;
+    }
+    return false;
+  }
+  bool is_sound_from(const Place& p, const Patch& patch, const std::vector<int>& cells,
+                     std::vector<std::optional<bool>>& known, std::size_t i) {
+    known.resize(cells.size());
+    if (!known[i]) known[i] = is_sound(p, patch.spot, cells[i]);
+    return *known[i];
   }
 
-  // From the middle of a cell that ways lead over one leads to a goal, receding step by step from
-  // every place of the other one's patch.
+  // From the middle of a cell, if ways lead over that, one leads to a goal, receding step by step
+  // from every place of the other one's patch.
   bool leads(int cell, Robot other) {
     if (!other.patch.ways) other.patch.ways = ways_from(other);
     Ways& ways = *other.patch.ways;
@@ -514,8 +611,10 @@ class Search {
   const double size_;
   const double far_mm_;  // from the middle of a cell to what the search may join to from there
   const int window_;     // cells to each side of one, up to where ways from it end
-  const ClearCells clear_;
+  const Unsure unsure_;
+  const ClearCells clear_, may_be_clear_;
   const Alike alike_;
+  Connectors stands_;                                // where a robot is put
   std::vector<std::optional<bool>> holds_somebody_;  // by kinds, as far as that has been asked
   std::vector<Place> places_;
   std::vector<std::uint8_t> steps_;
@@ -524,7 +623,7 @@ class Search {
   // Where as much is clear around a cell, the same ways lead away from it: by that, and by how wide
   // and where in its cell a part of it is.
   std::map<std::array<double, 4>, std::shared_ptr<Ways>> known_ways_;
-  bool by_far_cells_ = false;
+  bool by_all_legs_ = false;
   std::int64_t looks_ = 0;
 };
 

@@ -16,6 +16,7 @@ struct PartingQuery {
   std::int32_t nearest_mm = 0;    // no two robots are nearer to each other
   std::int32_t apart_mm = 0;      // at which they need not part
   std::int32_t goal_mm = 0;       // at which a way may end
+  std::int32_t stands_mm = 0;     // with less clearance none is put at what is `stuck`
   bool each_alone = false;        // pairs that look alike are each looked at, for tests
   friend bool operator==(const PartingQuery&, const PartingQuery&) = default;
 };
@@ -24,13 +25,14 @@ struct Parting {
   // too_large: that has not been looked at, for the number of pairs of cells.
   enum class How { shown, stuck, too_large };
   How how = How::shown;
-  GridPoint one, other;  // stuck: from about there neither finds a way
+  GridPoint one, other;  // stuck: from about there neither may find a way
 };
 
 // Of every two places of the zone where robots can stand nearer than `apart_mm`, whether the search
 // for ways finds one for the first robot or else one for the second: to a cell at `goal_mm` from
 // the other robot, straight to a cell near the robot and then from cell to cell, no piece of it
-// leading nearer to where the other one stands. Of cells only `clearance_mm_lo` counts.
+// leading nearer to where the other one stands. Of cells only `clearance_mm_lo` counts, of legs what
+// they keep off edges.
 Parting parting(const std::vector<EdgeRow>& edges, const CellGrid& cells,
                 const PartingQuery& query);
 

@@ -24,11 +24,15 @@ struct Box {
 inline double squared(double x) {
   return x * x;
 }
-// Whether every place of the box is at least so far from p.
-inline bool is_beyond(Vec p, const Box& box, double far) {
+// Square of the shortest way from p to the box.
+inline double nearest_squared(Vec p, const Box& box) {
   const double x = std::max(std::abs(p.x - box.middle.x) - box.half, 0.0);
   const double y = std::max(std::abs(p.y - box.middle.y) - box.half, 0.0);
-  return squared(x) + squared(y) >= squared(far);
+  return squared(x) + squared(y);
+}
+// Whether every place of the box is at least so far from p.
+inline bool is_beyond(Vec p, const Box& box, double far) {
+  return nearest_squared(p, box) >= squared(far);
 }
 // Square of the longest way between the boxes.
 inline double farthest_squared(const Box& a, const Box& b) {

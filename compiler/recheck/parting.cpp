@@ -26,6 +26,17 @@
 namespace rtac::recheck {
 namespace {
 
+// Numbers of pairs of numbers, one of each list.
+std::vector<int> pairs_of(const std::vector<int>& some, const std::vector<int>& others) {
+  std::map<std::pair<int, int>, int> known;
+  std::vector<int> all;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    const std::pair pair{some[i], others[i]};
+    all.push_back(known.try_emplace(pair, static_cast<int>(known.size())).first->second);
+  }
+  return all;
+}
+
 class Partings {
  public:
   Partings(const std::vector<Segment>& all, const Grid& grid, const PartingLimits& limits)
@@ -38,7 +49,10 @@ class Partings {
         joins_(std::max(reach_m, 2 * grid.cell) + slack_m),
         far_(std::min(1.5 * limits.route + 4 * grid.cell + 0.4, rings * grid.cell)),
         far_cells_(static_cast<int>(far_ / grid.cell)),
-        sites_(grid.clearance.size()) {}
+        forgiven_(grid.less > 0 ? forgiven_m - snap_m : forgiven_m - grid_m),
+        sites_(grid.clearance.size()) {
+    count_blocked();
+  }
 
   std::variant<Meeting, BadCells> run() {
     find_alike();
@@ -74,8 +88,9 @@ class Partings {
   static constexpr int quarters_max = 5, quarters_of_both_max = 4;
   static constexpr std::int64_t steps_max = 4'000'000'000;
   // The runtime joins to cells within the larger of 0.4 m and two cells, and forgives 8 mm of
-  // clearance on the way there; 7 are counted on.
-  static constexpr double reach_m = 0.4, forgiven_m = 0.007;
+  // clearance on the way there. As much of it is lost as its zone may be smaller than the outline,
+  // or 1 mm where that is on the grid.
+  static constexpr double reach_m = 0.4, forgiven_m = 0.008, grid_m = 0.001;
 
   // So many pairs that part are remembered.
   static constexpr std::size_t parted_max = 2'000'000;
@@ -88,7 +103,8 @@ class Partings {
   struct Site {
     bool known = false;
     std::unique_ptr<Boundary> boundary;
-    std::vector<int> joined, far;  // the nearest first
+    std::vector<int> joined;              // the nearest first, and so
+    std::optional<std::vector<int>> far;  // of those farther off, once somebody asks
     int alike = -1;  // those that look alike have the same number; -1: nobody is there
     OpenSides::Set open;
   };
@@ -110,11 +126,38 @@ class Partings {
     const Place m = middle(box(cell));
     return {Rational(m.x), Rational(m.y)};
   }
-  [[nodiscard]] bool clear(int c, int r) const {
+  // Robots know at least so much of it as to count it among those that ways lead over; or else, of
+  // one that only may be among them, no way leads over it, but whoever stands there may have to
+  // begin with it.
+  [[nodiscard]] bool clear(int c, int r) const { return has(c, r, limits_.route + grid_.less); }
+  [[nodiscard]] bool may_be_clear(int cell) const {
+    return has(column(cell), row(cell), limits_.route - 2 * slack_m);
+  }
+  [[nodiscard]] bool has(int c, int r, double clearance) const {
     return c >= 0 && r >= 0 && c < columns_ && r < rows_ &&
-           grid_.clearance[static_cast<std::size_t>(r * columns_ + c)] >= limits_.route;
+           grid_.clearance[static_cast<std::size_t>(r * columns_ + c)] >= clearance;
   }
   [[nodiscard]] bool clear(int cell) const { return clear(column(cell), row(cell)); }
+  // All of a rectangle, by sums of what is not: those west and south of each corner.
+  void count_blocked() {
+    blocked_.assign(static_cast<std::size_t>((columns_ + 1) * (rows_ + 1)), 0);
+    for (int r = 0; r < rows_; ++r) {
+      for (int c = 0; c < columns_; ++c) {
+        blocked_[corner(c + 1, r + 1)] = blocked_[corner(c + 1, r)] + blocked_[corner(c, r + 1)] -
+                                         blocked_[corner(c, r)] + (clear(c, r) ? 0 : 1);
+      }
+    }
+  }
+  [[nodiscard]] std::size_t corner(int c, int r) const {
+    return static_cast<std::size_t>(r * (columns_ + 1) + c);
+  }
+  [[nodiscard]] bool all_clear(int cell, const Block& b) const {
+    const int west = column(cell) + b.west, east = column(cell) + b.east + 1;
+    const int south = row(cell) + b.south, north = row(cell) + b.north + 1;
+    if (west < 0 || south < 0 || east > columns_ || north > rows_) return false;
+    return blocked_[corner(east, north)] + blocked_[corner(west, south)] ==
+           blocked_[corner(west, north)] + blocked_[corner(east, south)];
+  }
 
   Site& site(int cell) {
     Site& s = sites_[static_cast<std::size_t>(cell)];
@@ -123,21 +166,24 @@ class Partings {
     const Place m = middle(box(cell));
     const double limit = far_ + grid_.cell + std::max(limits_.route, limits_.body) + snap_m;
     s.boundary = std::make_unique<Boundary>(all_, m, limit);
-    for (int r = row(cell) - far_cells_; r <= row(cell) + far_cells_; ++r) {
-      for (int c = column(cell) - far_cells_; c <= column(cell) + far_cells_; ++c) {
-        if (!clear(c, r)) continue;
+    s.joined = cells_within(cell, -1, joins_);
+    return s;
+  }
+  // Of those that may be joined to, by their way.
+  [[nodiscard]] std::vector<int> cells_within(int cell, double beyond, double most) const {
+    const int far = static_cast<int>(most / grid_.cell);
+    const Place m = middle(box(cell));
+    std::vector<int> found;
+    for (int r = std::max(0, row(cell) - far); r <= std::min(rows_ - 1, row(cell) + far); ++r) {
+      for (int c = std::max(0, column(cell) - far); c <= std::min(columns_ - 1, column(cell) + far);
+           ++c) {
         const int to = r * columns_ + c;
-        if (way(m, to) <= joins_) {
-          s.joined.push_back(to);
-        } else if (way(m, to) <= far_ && !clear(cell)) {
-          s.far.push_back(to);
-        }
+        const double off = way(m, to);
+        if (may_be_clear(to) && off > beyond && off <= most) found.push_back(to);
       }
     }
-    const auto off = [&](int to) { return way(m, to); };
-    std::ranges::sort(s.joined, {}, off);
-    std::ranges::sort(s.far, {}, off);
-    return s;
+    std::ranges::sort(found, {}, [&](int to) { return way(m, to); });
+    return found;
   }
   [[nodiscard]] double way(Place from, int to) const {
     const Place p = middle(box(to));
@@ -147,7 +193,7 @@ class Partings {
     return s.boundary->holds_nobody(b, limits_.body);
   }
   [[nodiscard]] bool keeps(const Site& s, const Box& from, Place c) const {
-    return s.boundary->keeps(from, c, s.boundary->asked_from(from, limits_.route, forgiven_m));
+    return s.boundary->keeps(from, c, s.boundary->asked_from(from, limits_.route, forgiven_));
   }
 
   [[nodiscard]] int alike(int cell) const { return sites_[static_cast<std::size_t>(cell)].alike; }
@@ -167,9 +213,15 @@ class Partings {
   // place holds at the other, too, and slacks are for the doubles of either.
   void find_alike() {
     const OpenSides sides(grid_.cell, limits_.goal, joins_);
-    std::vector<bool> all_clear;
-    for (int cell = 0; cell < columns_ * rows_; ++cell) all_clear.push_back(clear(cell));
-    squares_ = number_squares(all_clear, columns_, rows_, std::max(window_, far_cells_ + 1));
+    std::vector<bool> clear_ones, others;
+    for (int cell = 0; cell < columns_ * rows_; ++cell) {
+      clear_ones.push_back(clear(cell));
+      others.push_back(may_be_clear(cell));
+    }
+    const int off = std::max(window_, far_cells_ + 1);
+    squares_ = number_squares(clear_ones, columns_, rows_, off);
+    if (others != clear_ones)
+      squares_ = pairs_of(squares_, number_squares(others, columns_, rows_, off));
     steps_ += 100 * static_cast<std::int64_t>(squares_.size());
     std::map<std::pair<int, std::vector<std::array<std::int64_t, 4>>>, int> known;
     for (int cell = 0; cell < columns_ * rows_; ++cell) {
@@ -184,26 +236,10 @@ class Partings {
     }
     open_up(sides);
   }
-  // Which blocks beside cells are clear, by sums of what is not.
   void open_up(const OpenSides& sides) {
-    const std::size_t width = static_cast<std::size_t>(columns_) + 1;
-    std::vector<int> sums(width * (static_cast<std::size_t>(rows_) + 1), 0);
-    const auto sum = [&](int c, int r) -> int& {
-      return sums[static_cast<std::size_t>(r) * width + static_cast<std::size_t>(c)];
-    };
-    for (int r = 0; r < rows_; ++r) {
-      for (int c = 0; c < columns_; ++c) {
-        sum(c + 1, r + 1) = sum(c + 1, r) + sum(c, r + 1) - sum(c, r) + (clear(c, r) ? 0 : 1);
-      }
-    }
     for (int cell = 0; cell < columns_ * rows_; ++cell) {
       for (std::size_t i = 0; i < OpenSides::count; ++i) {
-        const Block& b = sides.blocks()[i];
-        const int west = column(cell) + b.west, east = column(cell) + b.east + 1;
-        const int south = row(cell) + b.south, north = row(cell) + b.north + 1;
-        if (west < 0 || south < 0 || east > columns_ || north > rows_) continue;
-        sites_[static_cast<std::size_t>(cell)].open[i] =
-            sum(east, north) - sum(west, north) - sum(east, south) + sum(west, south) == 0;
+        sites_[static_cast<std::size_t>(cell)].open[i] = all_clear(cell, sides.blocks()[i]);
       }
     }
   }
@@ -230,8 +266,8 @@ class Partings {
     return all;
   }
 
-  // From which of the cells around one steps lead to a goal, each of them receding from all of the
-  // square: as far as that has been asked, of all cells that look alike.
+  // From which of the cells around one, if ways lead over it, steps lead to a goal, each of them
+  // receding from all of the square: as far as that has been asked, of all cells that look alike.
   [[nodiscard]] std::size_t ways_bits() const {
     const std::size_t width = 2 * static_cast<std::size_t>(window_) + 1;
     return 2 * width * width;
@@ -249,14 +285,15 @@ class Partings {
   bool leads(int cell, int there, const Box& other, Ways& ways, int depth = 0) {
     const int c = column(cell) - column(there) + window_, r = row(cell) - row(there) + window_;
     const int width = 2 * window_ + 1;
-    if (c < 0 || r < 0 || c >= width || r >= width) return clear(cell);
+    if (c < 0 || r < 0 || c >= width || r >= width) return may_be_clear(cell);
     const std::size_t asked = 2 * static_cast<std::size_t>(r * width + c);
     if (ways[asked]) return ways[asked + 1];
     steps_ += 8;
     const Place p = middle(box(cell));
     const Box here{p.x, p.y, p.x, p.y};
-    bool lead = clear(cell) && nearest(here, other) >= limits_.goal;
-    for (int dr = -1; dr <= 1 && !lead && clear(cell) && depth < way_max; ++dr) {
+    const bool begins = may_be_clear(cell);
+    bool lead = begins && nearest(here, other) >= limits_.goal;
+    for (int dr = -1; dr <= 1 && !lead && begins && depth < way_max; ++dr) {
       for (int dc = -1; dc <= 1 && !lead; ++dc) {
         const int x = column(cell) + dc, y = row(cell) + dr;
         if ((dc == 0 && dr == 0) || !clear(x, y)) continue;
@@ -317,9 +354,10 @@ class Partings {
     const auto harmless = [&](int cell) {
       return leads(cell, other, there, known) || comes_nearer(middle(box(cell)), here, there);
     };
-    if (clear(one) && !harmless(one)) return false;
+    if (may_be_clear(one) && !harmless(one)) return false;
     const auto goes = [&](int cell) {
       ++steps_;
+      if (!clear(cell)) return false;
       const Place c = middle(box(cell));
       const bool away = side ? recedes(c, here, there, *side) : recedes(c, here, there);
       return away && leads(cell, other, there, known);
@@ -327,26 +365,36 @@ class Partings {
     const auto joins = [&](int cell) { return goes(cell) && keeps(s, here, middle(box(cell))); };
     if (std::ranges::any_of(s.joined, joins)) return true;
     if (!by_far_cells_) return false;
+    return joins_far_off(one, here, goes, harmless);
+  }
+  // Nothing that is nearer than where it goes may lead back. The nearest ones are looked at first,
+  // as far as they matter to those that are gone to.
+  template <class Goes, class Harmless>
+  bool joins_far_off(int one, const Box& here, const Goes& goes, const Harmless& harmless) {
+    Site& s = site(one);
+    if (!s.far) s.far = cells_within(one, joins_, far_);
     const Place m = middle(box(one));
-    return std::ranges::any_of(s.far, [&](int cell) {
-      if (!goes(cell)) return false;
+    double back = far_;  // from there on one may
+    const auto look_at = [&](int cell) {
+      ++steps_;
+      const Place t = middle(box(cell));
+      const double off = nearest({t.x, t.y, t.x, t.y}, here);
+      if (off <= back && !harmless(cell)) back = off;
+    };
+    std::size_t seen = 0;
+    for (const int cell : *s.far) {
+      if (way(m, cell) > back + grid_.cell) return false;
+      if (!goes(cell)) continue;
       const Place c = middle(box(cell));
       const double most = farthest({c.x, c.y, c.x, c.y}, here);
-      if (most + grid_.cell > far_) return false;
-      const auto leads_back = [&](int to) {
-        ++steps_;
-        const Place t = middle(box(to));
-        return nearest({t.x, t.y, t.x, t.y}, here) <= most && !harmless(to);
-      };
-      // the nearest ones first: from some on they are all farther off
-      for (const std::vector<int>* const cells : {&s.joined, &s.far}) {
-        for (const int to : *cells) {
-          if (way(m, to) > most + grid_.cell) break;
-          if (leads_back(to)) return false;
-        }
+      if (most + grid_.cell > far_) continue;
+      if (seen == 0) std::ranges::for_each(s.joined, look_at);
+      while (seen < s.far->size() && way(m, (*s.far)[seen]) <= most + grid_.cell) {
+        look_at((*s.far)[seen++]);
       }
-      return keeps(s, here, c);
-    });
+      if (most < back && keeps(s, here, c)) return true;
+    }
+    return false;
   }
 
   const std::vector<Segment>& all_;
@@ -355,6 +403,8 @@ class Partings {
   const int columns_, rows_, window_;
   const double joins_, far_;
   const int far_cells_;
+  const double forgiven_;
+  std::vector<int> blocked_;
   std::vector<Site> sites_;
   std::vector<int> squares_, many_;  // by cells, and how many look alike
   std::map<std::array<std::int64_t, 4>, Ways> ways_;
@@ -422,8 +472,8 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const auto zone = claims.zones().find(text(v, "zone"));
   const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
   const auto route = number(v, "route_mm"), gap = number(v, "gap_mm");
-  const auto extra = number(v, "extra_us");
-  if (!zone || !cell || !x || !y || !route || !gap || !extra) {
+  const auto apart = number(v, "apart_mm"), extra = number(v, "extra_us");
+  if (!zone || !cell || !x || !y || !route || !gap || !apart || !extra) {
     return wrong("a number is missing");
   }
   const auto steps = sema::templates_of(spec[*m.recover]);
@@ -439,16 +489,22 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   if (milli(*route) < claims.leg_clearance(d, m, *zone)) return wrong(too_near);
   // at rest, with the other one somewhere around where it was measured and holds
   const Rational held = n.radius + 2 * n.position_error + n.hold + *asked;
-  if (milli(*gap) < claims.return_clearance(d, m, micro(*extra)) + held) {
-    return wrong("control may not be given back at that distance");
+  const Rational back = claims.return_clearance(d, m, micro(*extra)) + held;
+  if (milli(*gap) < back) return wrong("control may not be given back at that distance");
+  // who is as far off as others make way to stays where it is; and who is given back needs no way,
+  // wherever both are measured then about the places that they hold
+  const Rational span = n.sway > 0 ? 2 * n.sway : Rational(2 * n.position_error + n.hold);
+  const Rational stays = milli(*gap) + n.position_error, need_not = back + 2 * span;
+  if (milli(*apart) < std::min(stays, need_not)) {
+    return wrong("robots that are nearer to each other may have to part, too");
   }
   const geometry::Region* const region = claims.zones().region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
   const double error = n.position_error.get_d(), far = milli(*gap).get_d();
   const double body = std::max(0.0, n.radius.get_d() - error);
-  const auto found =
-      without_parting(*region, {*cell, *x, *y},
-                      {milli(*route).get_d(), body, 2 * body, far + error, far + 3 * error});
+  const auto found = without_parting(
+      *region, {*cell, *x, *y},
+      {milli(*route).get_d(), body, 2 * body, milli(*apart).get_d(), far + 3 * error});
   const auto* const meeting = std::get_if<Meeting>(&found);
   if (meeting == nullptr) return wrong("the cells are not those of the zone, or too many");
   if (!*meeting) return std::nullopt;

@@ -1,5 +1,7 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/parting.h"
 #include "compiler/ir/linear.h"
@@ -33,17 +35,32 @@ std::string place_of(const geometry::GridPoint& p) {
   return place(p.x_mm, p.y_mm);
 }
 
-// As robots are measured that hold, and with the room for errors that the runtime leaves (Aside).
-geometry::PartingQuery query_of(const ir::Body& body, const ir::Recovery& yield) {
+// From how far on two robots that hold are given back, as they are measured at any time: at rest,
+// and measured anew all along, each at one end of its sway and then at the other one.
+std::int64_t given_back_mm(const ir::Decision& d, const ir::Monitor& m) {
+  const ir::Body& b = d.body;
+  const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
+  const std::int64_t other_mm = b.radius_mm + 2 * b.position_error_mm + b.hold_mm;
+  const std::int64_t span_mm = b.sway_mm > 0 ? 2 * b.sway_mm : 2 * b.position_error_mm + b.hold_mm;
+  constexpr std::int64_t rounding_mm = 4;  // of both samples, and of the distance
+  return analysis::sure_separation_mm(m.property, d.facts.params) +
+         analysis::return_clearance_mm(d, ahead_us) + other_mm + 2 * span_mm + rounding_mm;
+}
+
+// As robots are measured that hold, and with the room for errors that the runtime leaves (Aside):
+// who is given back need not part, nor who is as far off as others make way to.
+geometry::PartingQuery query_of(const ir::Decision& d, const ir::Monitor& m) {
   const auto mm = [](std::int64_t length_mm) {
     return static_cast<std::int32_t>(std::max<std::int64_t>(length_mm, 0));
   };
-  const std::int64_t error_mm = body.position_error_mm;
+  const ir::Recovery& yield = ir::last_step(m.recovery);
+  const std::int64_t error_mm = d.body.position_error_mm;
   return {.clearance_mm = mm(yield.route_clearance_mm),
-          .body_mm = mm(body.radius_mm - error_mm),
-          .nearest_mm = mm(2 * (body.radius_mm - error_mm)),
-          .apart_mm = mm(yield.pass_gap_mm + error_mm + 1),
-          .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1)};
+          .body_mm = mm(d.body.radius_mm - error_mm),
+          .nearest_mm = mm(2 * (d.body.radius_mm - error_mm)),
+          .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, given_back_mm(d, m))),
+          .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1),
+          .stands_mm = mm(d.body.radius_mm + error_mm)};
 }
 
 // It says nothing but how far from all others a robot keeps, at least.
@@ -209,7 +226,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.status = Status::unknown;
   o.method = "no proof";
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
-  const geometry::PartingQuery query = query_of(s.decision.body, yield);
+  const geometry::PartingQuery query = query_of(s.decision, s.decision.monitors[k]);
   const std::string more = more_than_two(s, k);
   NoWay none = more.empty() ? no_way(zone, yield, query) : NoWay{};
   const auto [other, told] = drives_instead(s.decision, k);
@@ -231,6 +248,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
                                   {"zone", zone.name},
                                   {"route_mm", std::to_string(query.clearance_mm)},
                                   {"extra_us", std::to_string(s.decision.return_extra_us)},
+                                  {"apart_mm", std::to_string(query.apart_mm)},
                                   {"gap_mm", std::to_string(yield.pass_gap_mm)}}},
                                 zone));
   o.claims.push_back(lemma_claim("return_reached"));

@@ -25,7 +25,7 @@ struct Sorted {
   explicit Sorted(const Region& region)
       : zone(bake(*snap_inside(region), 100)),
         clear(zone.cells, clearance_mm),
-        alike(zone.cells, clear, Connectors(zone.edges, clearance_mm, body_mm), around_cells,
+        alike(zone.cells, clear, clear, Connectors(zone.edges, clearance_mm, body_mm), around_cells,
               legs_mm) {}
   [[nodiscard]] int count() const { return zone.cells.columns * zone.cells.rows; }
   [[nodiscard]] int column(int cell) const { return cell % zone.cells.columns; }
@@ -52,7 +52,9 @@ void expect_alike(const Sorted& s, int a, int b) {
                 s.clear.at(s.column(b) + c, s.row(b) + r));
     }
   }
-  if (s.clear.at(s.column(a), s.row(a))) return;
+  constexpr int legs = static_cast<int>(legs_mm) / 100 + 1;
+  const int c = s.column(a), r = s.row(a);
+  if (s.clear.all(c - legs, r - legs, c + legs, r + legs)) return;
   for (double y = -legs_mm; y <= legs_mm; y += 70) {
     for (double x = -legs_mm; x <= legs_mm; x += 70) {
       if (std::hypot(x, y) > legs_mm) continue;

@@ -146,6 +146,35 @@ TEST(Parting, NotWhereThereIsNoRoom) {
     EXPECT_LT(p.x_mm, 6500);
   }
 }
+// A corridor that is only just wide enough for a robot to stay in its midst: where some edge slants
+// what is proved must not rest on 2 mm, which are not seen when it is found once more.
+TEST(Parting, CountsOnNoMoreClearanceThanIsFoundOnceMore) {
+  constexpr PartingQuery lean{198, 200, 400, 700, 760};
+  const Region rooms =
+      box(0, 0, 3000, 3000).unite(box(6000, 0, 9000, 3000)).unite(box(3000, 1300, 6000, 1800));
+  EXPECT_EQ(parting_in(rooms, lean).how, Parting::How::shown);
+  const Region notched = rooms.unite(polygon({mm(9000, 2000), mm(9040, 2100), mm(9000, 2200)}));
+  EXPECT_EQ(parting_in(notched, lean).how, Parting::How::stuck);
+  PartingQuery narrow = lean;
+  narrow.clearance_mm = 190;
+  EXPECT_EQ(parting_in(notched, narrow).how, Parting::How::shown);
+}
+// In an aisle that is no wider than robots part by one before each wall finds none, beside the
+// other one: where a run can begin, and not in the middle of a cell that no body fits into.
+TEST(Parting, WhereNeitherLeavesARobotFits) {
+  PartingQuery wide{672, 280, 560, 5220, 5260};
+  wide.stands_mm = 320;
+  const BakedZone lane = bake(*snap_inside(box(0, 3000, 20'000, 9000)), 100);
+  const Parting stuck = parting_of(lane, wide);
+  ASSERT_EQ(stuck.how, Parting::How::stuck);
+  Pairs pairs(lane, wide);
+  const auto at = [](const GridPoint& p) { return Vec2{1e-3 * p.x_mm, 1e-3 * p.y_mm}; };
+  EXPECT_FALSE(pairs.leaves(at(stuck.one), at(stuck.other)));
+  EXPECT_FALSE(pairs.leaves(at(stuck.other), at(stuck.one)));
+  for (const GridPoint& p : {stuck.one, stuck.other}) {
+    EXPECT_GE(std::min({p.x_mm, p.y_mm - 3000, 9000 - p.y_mm}), 320);
+  }
+}
 // They are there, too, when the search is asked.
 TEST(Parting, WhereTheSearchFindsNothingEither) {
   const BakedZone zone = bake(*snap_inside(box(0, 0, 900, 900)), 100);

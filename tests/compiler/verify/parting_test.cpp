@@ -61,6 +61,22 @@ TEST(PartingOnceMore, IsTheSamePairByPairInRandomRooms) {
   EXPECT_GT(shown, 0);
 }
 
+// Two rooms and a corridor, of which a row of cells in the middle is a little clearer than ways ask
+// for. What robots know of it may be less, once some edge of the zone slants.
+TEST(PartingOnceMore, CountsOnNoMoreClearanceThanRobotsKnow) {
+  constexpr recheck::PartingLimits lean{0.198, 0.2, 0.4, 0.7, 0.76};
+  const Region rooms =
+      box(0, 0, 3000, 3000).unite(box(6000, 0, 9000, 3000)).unite(box(3000, 1300, 6000, 1800));
+  EXPECT_EQ(meeting(rooms, lean), Places{});
+  const Region notched = rooms.unite(geometry::polygon(
+      {geometry::mm(9000, 2000), geometry::mm(9040, 2100), geometry::mm(9000, 2200)}));
+  EXPECT_FALSE(meeting(notched, lean).empty());
+  // and of what is clearer nothing is left open
+  recheck::PartingLimits narrow = lean;
+  narrow.route = 0.19;
+  EXPECT_EQ(meeting(notched, narrow), Places{});
+}
+
 class PartingInABasin : public Verify {
  protected:
   static std::string ferries(const std::string& basin) {
