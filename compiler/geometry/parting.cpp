@@ -84,14 +84,15 @@ Unsure unsure_of(const std::vector<EdgeRow>& edges) {
 
 class Search {
  public:
-  Search(const std::vector<EdgeRow>& edges, const CellGrid& cells, const PartingQuery& query)
+  Search(const std::vector<EdgeRow>& edges, const CellGrid& cells, const PartingQuery& query,
+         const Unsure& unsure)
       : edges_(edges),
         cells_(cells),
         query_(query),
         size_(cells.cell_mm),
         far_mm_(std::min(1.5 * query.clearance_mm + 4 * size_ + 400, far_cells_max * size_)),
         window_(static_cast<int>(std::ceil(query.goal_mm / size_)) + 3),
-        unsure_(unsure_of(edges)),
+        unsure_(unsure),
         clear_(cells, query.clearance_mm + unsure_.clearance_mm),
         may_be_clear_(cells, query.clearance_mm - unsure_.clearance_mm),
         alike_(cells, clear_, may_be_clear_, connectors(), around_cells(), far_mm_),
@@ -632,7 +633,14 @@ class Search {
 Parting parting(const std::vector<EdgeRow>& edges, const CellGrid& cells,
                 const PartingQuery& query) {
   thread_local Kept<std::pair<Drawn, PartingQuery>, Parting> kept;
-  return kept.find({Drawn(edges, cells), query}, [&] { return Search(edges, cells, query).run(); });
+  return kept.find({Drawn(edges, cells), query}, [&] {
+    const Unsure unsure = unsure_of(edges);
+    const Parting found = Search(edges, cells, query, unsure).run();
+    if (found.how != Parting::How::stuck || unsure.clearance_mm == 0) return found;
+    // a run begins where they are stuck as robots know the cells, if they are anywhere
+    const Parting known = Search(edges, cells, query, {}).run();
+    return known.how == Parting::How::stuck ? known : found;
+  });
 }
 
 }  // namespace rtac::geometry
