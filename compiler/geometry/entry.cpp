@@ -280,8 +280,9 @@ class Entering {
     if (goes_straight(spot, off)) {
       return nearest_are_sound(spot, off) || in_parts(spot, cells, halvings);
     }
-    // one as deep as it looks for first is seen: it asks for no less
-    const bool deep = is_led_straight() && std::isfinite(farthest);
+    // one as deep as it looks for first is seen: it asks for no less, where it does not fit yet
+    const bool outside = !starts_ || radius - off < query_.least_mm;
+    const bool deep = outside && is_led_straight() && std::isfinite(farthest);
     const std::int32_t least_mm = deep ? query_.alone->aim_mm - aim_rounds_mm : query_.least_mm;
     std::vector<Cell> taken;
     bool all = true;

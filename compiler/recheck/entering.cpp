@@ -211,8 +211,9 @@ class Entries {
       return to_the_nearest(boundary, from, off, asked) || in_quarters(boundary, from, ends, times);
     }
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
-    // it takes the first goal that it sees
-    const bool first = looks_straight() && farthest < 1e300;
+    // it takes the first goal that it sees; who fits may take a way over cells there
+    const bool fits = !starts_.empty() && radius(from) - off >= limits_.least;
+    const bool first = !fits && looks_straight() && farthest < 1e300;
     const double least = first ? limits_.alone->aim - rounded_m - table_m : limits_.least;
     std::vector<End> taken;
     bool all = true;
