@@ -145,7 +145,7 @@ class Recoveries {
     diag::Diagnostic d = finding(
         Code::recovery_stands,
         "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
-            ": where `" + monitor_.name + "` asks it to be slow, it is never given back");
+            ": where `" + monitor_.name + "` asks it to be slow, it may never be given back");
     d.label = "does not lead to where it may be faster";
     d.notes.push_back({std::nullopt, from_rest_text(spec_[controller_.kind], from_rest_mmps)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});

@@ -1,6 +1,7 @@
 #include "compiler/analysis/well_formed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/analysis/widening.h"
@@ -235,6 +237,7 @@ class WellFormed {
     const ir::SiteTable& site = module_[way.site];
     const ir::ZoneTable& zone = module_[site.zone];
     beside_dock(of, monitor, way);
+    too_near(of, way);
     for (std::size_t p = 0; p < site.places.size(); ++p) {
       const ir::SiteTable::Place& place = site.places[p];
       const SourceRange range = source_of(kind, way.site, p);
@@ -262,6 +265,41 @@ class WellFormed {
         affordable(kind, of.decision, monitor, place, range, what);
       }
     }
+  }
+
+  // While one robot is there, the other one waits, or comes nearer than it may. Robots that share a
+  // place take turns there.
+  void too_near(const Decided& of, const ir::Recovery& way) {
+    const ir::SiteTable& site = module_[way.site];
+    const std::int64_t asked_mm = sure_separation_mm(of.decision);
+    const std::int64_t need_mm = 2 * of.decision.body.radius_mm + asked_mm;
+    for (std::size_t p = 0; p < site.places.size(); ++p) {
+      for (std::size_t q = 0; q < p; ++q) {
+        const ir::SiteTable::Place &one = site.places[q], &other = site.places[p];
+        const std::int64_t dx = other.x_mm - one.x_mm, dy = other.y_mm - one.y_mm;
+        const std::int64_t square = dx * dx + dy * dy;
+        if (square == 0 || square >= need_mm * need_mm) continue;
+        const auto name = [&](const auto& at) { return "`" + site.name + "(" + at.robot + ")`"; };
+        diag::Diagnostic d{};
+        d.code = Code::sites_too_near;
+        d.range = source_of(of.written.kind, way.site, p);
+        d.message = name(one) + " and " + name(other) + " are too near for two robots to be there";
+        d.label = "about " + metres(std::llround(std::sqrt(static_cast<double>(square)))) +
+                  " from " + name(one);
+        const std::string kept =
+            asked_mm > 0 ? ", and monitors keep " + metres(asked_mm) + " between two of them" : "";
+        d.notes.push_back(
+            {std::nullopt, "bodies have a radius of " + metres(of.decision.body.radius_mm) + kept});
+        d.help = "places that are " + metres(need_mm) + " apart work";
+        if (!is_told_of_place(d)) diagnostics_.report(std::move(d));
+      }
+    }
+  }
+  // Of a site that several recoveries lead to.
+  bool is_told_of_place(const diag::Diagnostic& found) const {
+    return std::ranges::any_of(diagnostics_.all(), [&](const diag::Diagnostic& d) {
+      return d.code == found.code && d.range == found.range && d.message == found.message;
+    });
   }
 
   // Who goes to be charged has to rest near enough for that.
