@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/outline.h"
@@ -139,6 +140,39 @@ void add_slow_places(const Subject& s, const ir::Monitor& m, Obligation& o) {
   }
 }
 
+// Robots that need not keep off, on one side of an `or`, beside one that has to: that one half in
+// the zone which the other side asks for, the other one wholly, and just as far away as is asked.
+// The longest sides first.
+void add_passing_by(const Subject& s, const ir::Monitor& m, Obligation& o) {
+  constexpr double outside_mm = 100;
+  const Outline allowed = Outline::of(all_hold(s));
+  const double body_mm = double(s.decision.body.radius_mm);
+  const double apart_mm =
+      2 * body_mm + outside_mm + double(analysis::standoffs_of(s.decision).separation_mm);
+  std::vector<std::pair<double, Start>> found;
+  for (const analysis::Standoff& each :
+       analysis::fence_standoffs(m.property, s.decision.facts.params)) {
+    if (s.module[each.zone].has_height()) continue;
+    const Outline zone = Outline::of(s.exact(each.zone));
+    const double inside_mm = body_mm + double(each.mm);
+    for (const auto& [a, b] : zone.edges()) {
+      const double length_mm = analysis::outline::norm(b - a);
+      for (const double side : {1.0, -1.0}) {
+        const P inwards = (side / length_mm) * P{a.y - b.y, b.x - a.x};
+        const P first = 0.5 * (a + b) + (inside_mm - outside_mm) * inwards;
+        const P other = first + apart_mm * inwards;
+        if (zone.clearance(other) < inside_mm || zone.clearance(first) >= inside_mm) continue;
+        if (!allowed.contains(first) || !allowed.contains(other)) continue;
+        found.emplace_back(-length_mm, Start{in_mm(first), {in_mm(other)}});
+      }
+    }
+  }
+  std::ranges::stable_sort(found, {}, &std::pair<double, Start>::first);
+  for (auto& [rank, start] : found) {
+    if (o.starts.size() < own_starts_most) o.starts.push_back(std::move(start));
+  }
+}
+
 // Robots as far from each other as their zones let them be: at the ends of where each of them may
 // start, one after the other, each as far as can be from all before it.
 std::optional<Start> far_apart(const Subject& s) {
@@ -194,6 +228,9 @@ void add_starts(const Subject& s, Decision& decision) {
     }
     if (s.decision.body.in_space) continue;
     if (own && is_refuted_by(o, diag::Code::recovery_stands)) add_slow_places(s, *m, o);
+    if (own && is_refuted_by(o, diag::Code::others_unkept) && s.decision.robots > 1) {
+      add_passing_by(s, *m, o);
+    }
     if (!asks_for_room(s, o)) continue;
     if (auto start = far_apart(s)) o.starts.push_back(std::move(*start));
   }
