@@ -92,7 +92,7 @@ TEST_F(Seen, OneNumberIsOfferedForBoth) {
     const Json report = Json::parse(verified(text, {"--format", "json"}).out);
     for (const Json& of : report["decisions"][0]["obligations"]) {
       const std::string kind = of["obligation"];
-      const bool told = kind == "satisfiable" || kind == "P2a";
+      const bool told = kind == "satisfiable" || kind == "P2b";
       if (told && of.value("monitor", "") == "m") all.push_back(of.value("repair", ""));
     }
     return all;
