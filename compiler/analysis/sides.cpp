@@ -193,8 +193,10 @@ bool keeps_a_side(const ir::Module& module, const ir::Decision& decision, const 
     for (const ir::ZoneIndex zone : zones) all = all.unite(exact(zone));
     if (!all.contains(own)) return false;
     const std::int64_t radius_mm = decision.body.radius_mm;
+    // through a neck that is hardly too narrow ways lead as well, by what they lose
+    const std::int64_t own_mm = std::max<std::int64_t>(0, radius_mm - ways_lose_mm);
     const auto none =
-        between(own, zones, exact, radius_mm - offsets_round_mm, radius_mm + offsets_round_mm);
+        between(own, zones, exact, own_mm - offsets_round_mm, radius_mm + offsets_round_mm);
     return none && none->empty();
   });
 }

@@ -27,6 +27,9 @@ Rational metres_of(std::int64_t mm);
 
 // More than offsets of regions round (geometry/region.h), in mm.
 inline constexpr std::int64_t offsets_round_mm = 3;
+// More than a leg loses of the clearance that its robot has (connector_loss_m of the routes), in
+// mm.
+inline constexpr std::int64_t ways_lose_mm = 10;
 // The places that are `own_mm` from the boundary of `own`, and for each of `zones` no farther than
 // `side_mm` from what it leaves out of that. With less of the former than a disc has, and more of
 // the latter: empty where every such disc that lies in `own` lies in one of the zones. The other

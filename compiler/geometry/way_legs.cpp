@@ -278,24 +278,35 @@ std::optional<int> count(const CellGrid& cells, const WayLegsQuery& query) {
   return most;
 }
 
-// The cell that holds a place, the eastern and northern one of those that it lies between.
-std::optional<std::size_t> cell_at(const CellGrid& cells, GridPoint place) {
+// The cells that touch a place: the first of them, the eastern and northern one, is said to hold
+// it.
+std::vector<std::size_t> cells_at(const CellGrid& cells, GridPoint place) {
   const std::int64_t x = std::int64_t{place.x_mm} - cells.origin.x_mm;
   const std::int64_t y = std::int64_t{place.y_mm} - cells.origin.y_mm;
-  if (x < 0 || y < 0) return std::nullopt;
+  std::vector<std::size_t> all;
+  if (x < 0 || y < 0) return all;
   const std::int64_t column = x / cells.cell_mm, row = y / cells.cell_mm;
-  if (column >= cells.columns || row >= cells.rows) return std::nullopt;
-  return static_cast<std::size_t>(row * cells.columns + column);
+  for (std::int64_t r = row; r >= row - (y % cells.cell_mm == 0 ? 1 : 0); --r) {
+    for (std::int64_t c = column; c >= column - (x % cells.cell_mm == 0 ? 1 : 0); --c) {
+      if (r < 0 || c < 0 || c >= cells.columns || r >= cells.rows) continue;
+      all.push_back(static_cast<std::size_t>(r * cells.columns + c));
+    }
+  }
+  return all;
 }
 
-// Within the goal's cell the last leg goes on to the site: one more for who is in that already.
+// Within the goal's cell the last leg goes on to the site: one more for who is in that already. A
+// site between cells is in plain sight only of what sees all of these: if one of them is not clear,
+// the way leads to the middle of its own cell first.
 std::optional<int> count_to(const CellGrid& cells, std::int32_t route_mm, GridPoint site) {
-  const std::optional<std::size_t> goal = cell_at(cells, site);
-  if (!goal) return std::nullopt;
+  const std::vector<std::size_t> around = cells_at(cells, site);
   Counting counting(cells, route_mm);
-  if (!counting.is_clear(*goal)) return std::nullopt;
-  const std::optional<int> found = counting.most_to({*goal});
-  return found ? std::optional(std::max(1, *found)) : std::nullopt;
+  if (around.empty() || !counting.is_clear(around.front())) return std::nullopt;
+  const std::optional<int> found = counting.most_to({around.front()});
+  if (!found) return std::nullopt;
+  const bool in_sight =
+      std::ranges::all_of(around, [&](std::size_t at) { return counting.is_clear(at); });
+  return in_sight ? std::max(1, *found) : *found + 1;
 }
 
 }  // namespace

@@ -307,7 +307,9 @@ bool Sides::one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones,
   const geometry::Region* const moves = claims_.zones().region(own);
   if (moves == nullptr) return false;
   geometry::Region all;
-  auto left = moves->offset(offsets_round - radius);
+  // a leg to a way over cells loses 8 mm of the clearance that its robot has
+  const Rational kept = radius - Rational(1, 125);
+  auto left = moves->offset(offsets_round - std::max(kept, Rational(0)));
   for (const sema::ZoneId zone : zones) {
     const geometry::Region* const region = claims_.zones().region(zone);
     if (region == nullptr || !left) return false;

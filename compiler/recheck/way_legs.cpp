@@ -270,7 +270,9 @@ namespace {
 
 // The cells that a robot may take for that of a site, which it knows to the millimetre.
 std::vector<std::size_t> around(const Grid& grid, const geometry::Point& site) {
-  constexpr double rounded_m = 0.001 + slack_m;
+  const bool known =
+      Rational(site.x * 1000).get_den() == 1 && Rational(site.y * 1000).get_den() == 1;
+  const double rounded_m = known ? slack_m : 0.001 + slack_m;
   std::vector<std::size_t> all;
   const double x = site.x.get_d(), y = site.y.get_d();
   for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
@@ -293,12 +295,19 @@ std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cel
   std::size_t most = 1;  // in the cell of the site to that itself
   for (const geometry::Point& site : sites) {
     const std::vector<std::size_t> goals = around(found->cells, site);
-    if (goals.empty()) return std::nullopt;
+    std::optional<std::size_t> of_site;
+    std::size_t last = 0;  // beside a cell that is not clear it is seen from its own cell alone
     for (const std::size_t goal : goals) {
-      const auto legs = clearance[goal] < whole_mm(route) ? std::nullopt : ways.most_to({goal});
+      if (clearance[goal] < whole_mm(route)) {
+        last = 1;
+        continue;
+      }
+      const auto legs = ways.most_to({goal});
       if (!legs) return std::nullopt;
-      most = std::max(most, *legs);
+      of_site = std::max(of_site.value_or(0), *legs);
     }
+    if (!of_site) return std::nullopt;
+    most = std::max(most, *of_site + last);
   }
   return most;
 }

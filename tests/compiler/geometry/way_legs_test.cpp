@@ -165,6 +165,16 @@ TEST(WayLegs, OfASiteInANarrowPlaceAreNotCounted) {
   }
 }
 
+// Between a cell that is clear and one beside the wall a site is seen from the middle of its own
+// cell alone: that is one leg more.
+TEST(WayLegs, ToASiteBesideACellThatIsNotClearOneMoreIsCounted) {
+  const CellGrid cells = bake(*snap_inside(box(0, 0, 4000, 4000)), 100).cells;
+  const std::int32_t first = (kRoute + 99) / 100 * 100;  // the western edge of the first clear cell
+  EXPECT_EQ(most_legs_to(cells, kRoute, {first, 2050}), 2);
+  EXPECT_EQ(most_legs_to(cells, kRoute, {first + 1, 2050}), 1);
+  EXPECT_EQ(most_legs_to(cells, kRoute, {first + 100, 2050}), 1);
+}
+
 // Who has room enough at once needs none, and from a chamber without a way none is counted.
 TEST(WayLegs, CountWhatLeadsSomewhere) {
   const auto legs = [](const Region& region, std::int32_t goal_mm) {

@@ -62,14 +62,15 @@ TEST(PartingOnceMore, IsTheSamePairByPairInRandomRooms) {
 }
 
 // Two rooms and a corridor, of which a row of cells in the middle is a little clearer than ways ask
-// for. What robots know of it may be less, once some edge of the zone slants.
+// for. What robots know of it may be less, once some corner of the zone is rounded to millimetres.
 TEST(PartingOnceMore, CountsOnNoMoreClearanceThanRobotsKnow) {
   constexpr recheck::PartingLimits lean{0.198, 0.2, 0.4, 0.7, 0.76};
   const Region rooms =
       box(0, 0, 3000, 3000).unite(box(6000, 0, 9000, 3000)).unite(box(3000, 1300, 6000, 1800));
   EXPECT_EQ(meeting(rooms, lean), Places{});
-  const Region notched = rooms.unite(geometry::polygon(
-      {geometry::mm(9000, 2000), geometry::mm(9040, 2100), geometry::mm(9000, 2200)}));
+  const Region notched = rooms.unite(geometry::polygon({geometry::mm(9000, 2000),
+                                                        {Rational(18'081, 2000), Rational(21, 10)},
+                                                        geometry::mm(9000, 2200)}));
   EXPECT_FALSE(meeting(notched, lean).empty());
   // and of what is clearer nothing is left open
   recheck::PartingLimits narrow = lean;
