@@ -218,6 +218,16 @@ Obligation beside(const Subject& s, const ir::Recovery& yield, const ir::Monitor
   return unless_locked(s, yield, std::move(starts), std::move(o));
 }
 
+// How old what is heard of a robot may be, at most, when nothing is lost: what it has measured is
+// as old as samples may be, or as one of its periods, when it is told, and is told anew a period
+// later.
+std::int64_t heard_by_us(const Subject& s) {
+  const ir::Body& b = s.decision.body;
+  const std::int64_t told_us =
+      std::max({s.decision.period_us, b.position_age_us, b.velocity_age_us});
+  return told_us + s.decision.period_us + b.jitter_us;
+}
+
 }  // namespace
 
 Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
@@ -234,6 +244,13 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
   o.because = none.why;
   if (!none.why.empty()) return unless_locked(s, yield, std::move(none.starts), std::move(o));
+  if (const std::int64_t us = heard_by_us(s); s.decision.body.hears_age_us < us) {
+    o.because =
+        "robots may never know where the other one is: what they hear may be older than `hears` "
+        "allows, though nothing is lost";
+    o.repair = "`hears other robots max_age " + std::to_string((us + 999) / 1000) + " ms`";
+    return o;
+  }
   o.status = Status::proved;
   o.method = "ways over cells";
   o.because = "of two robots that hold in " + quoted(zone.name) +
