@@ -77,16 +77,18 @@ Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
   return there;
 }
 
-// Robots that hold beside each other, measured as they are: who waits for whom is all there is to
-// it.
+// Robots that hold beside each other, measured as they are, unless it takes errors: who waits for
+// whom is all there is to it.
 Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
                           const std::vector<std::string>& robots) {
   constexpr int kept_s = 120;  // in which each of them has looked for a way ten times
+  const bool errors_last = o.lock_up->errors_last;
   Scenario there = Scenario::object();
   there["about"] = o.monitor;
-  there["runs"] = 4;
-  there["adversary"] = "chase-fence";
-  there["noise"] = "none";
+  // of errors that last only some have them wait
+  there["runs"] = errors_last ? 24 : 4;
+  there["adversary"] = errors_last ? "lasting-errors" : "chase-fence";
+  if (!errors_last) there["noise"] = "none";
   there["return_within_s"] = kept_s;
   there["duration_s"] = kept_s + 1;
   there["starts"] = starts_at(start, robots);

@@ -22,13 +22,18 @@ constexpr std::size_t starts_most = 2;
 // A body is on the boundary of where it may start.
 constexpr double on_boundary_mm = 0.5;
 
-// Where robots in space start, at one height: where a zone with height is tallest, else in the
-// middle of what their properties allow, else at 1 m.
+std::int64_t body_of(const Subject& s) {
+  return s.decision.body.radius_mm + start_spare_mm;
+}
+
+// Where robots in space start, mostly at one height: where a zone with height is tallest, else in
+// the middle of what their properties allow, else at 1 m.
 class Level {
  public:
   explicit Level(const Subject& s) : s_(s) {
     if (!s.decision.body.in_space) return;
     const JointNeeds needs = joint_needs_of(s);
+    low_mm_ = needs.low_mm, high_mm_ = needs.high_mm;
     constexpr std::int64_t far_mm = 1'000'000, low_mm = 1000;
     const bool bounded = needs.low_mm > -far_mm && needs.high_mm < far_mm;
     z_mm_ = bounded ? (needs.low_mm + needs.high_mm) / 2
@@ -40,6 +45,9 @@ class Level {
           slabs, {},
           [](const geometry::Slab& slab) { return Rational(slab.ceiling - slab.floor); });
       z_mm_ = std::llround(500 * Rational(tallest.floor + tallest.ceiling).get_d());
+      const std::int64_t body_mm = body_of(s);
+      low_mm_ = std::max(low_mm_, std::lround(1000 * tallest.floor.get_d()) + body_mm);
+      high_mm_ = std::min(high_mm_, std::lround(1000 * tallest.ceiling.get_d()) - body_mm);
     }
   }
   // Where the zones with height leave room for a body, as far as it has a height.
@@ -60,6 +68,14 @@ class Level {
     if (z_mm_) place.push_back(*z_mm_);
     return place;
   }
+  // One there, and another one so far above it; none: there is no room for both.
+  [[nodiscard]] std::optional<Start> stacked(P p, std::int64_t gap_mm) const {
+    if (!z_mm_ || high_mm_ - low_mm_ < gap_mm) return std::nullopt;
+    Start start{mm_of(p), {mm_of(p)}};
+    start.place_mm.back() = std::clamp(*z_mm_, low_mm_, high_mm_ - gap_mm);
+    start.others_mm.front().back() = start.place_mm.back() + gap_mm;
+    return start;
+  }
 
  private:
   [[nodiscard]] std::vector<ir::ZoneIndex> fences_with_height() const {
@@ -74,6 +90,7 @@ class Level {
 
   const Subject& s_;
   std::optional<std::int64_t> z_mm_;
+  std::int64_t low_mm_ = 0, high_mm_ = 0;  // of middles, in space
 };
 
 class LockUps {
@@ -102,6 +119,23 @@ class LockUps {
       }
     }
     return best(std::move(found));
+  }
+  // One over the other in a corner. Errors that last put each of them beside where it holds, and
+  // ways lead from there away from where the other one is measured: both may see the other one on
+  // the side of the room. The sharpest corners first.
+  [[nodiscard]] std::vector<Start> stacked_in_corners() const {
+    constexpr std::size_t corners_most = 4;  // which errors do it depends on the corner
+    std::vector<std::pair<double, Start>> found;
+    for (const auto& [a, corner] : begins_.edges()) {
+      for (const auto& [c, d] : begins_.edges()) {
+        if (c.x != corner.x || c.y != corner.y) continue;
+        const P u = step_along(corner, a), v = step_along(corner, d);
+        if (!begins_.contains(corner + 0.1 * (u + v))) continue;
+        const auto start = level_.stacked(corner, std::llround(gap_mm_));
+        if (start) found.emplace_back(-(u.x * v.x + u.y * v.y), *start);
+      }
+    }
+    return best(std::move(found), corners_most);
   }
   // The first one at a wall, and the others in two rows before it, square to each other: along the
   // wall it comes nearer to one of them.
@@ -134,7 +168,7 @@ class LockUps {
  private:
   // Where every property holds, and the recovery finds its way.
   [[nodiscard]] geometry::Region begins(const Subject& s, const ir::Recovery& yield) const {
-    const std::int64_t body_mm = s.decision.body.radius_mm + start_spare_mm;
+    const std::int64_t body_mm = body_of(s);
     const geometry::Region& zone = s.exact(yield.zone);
     geometry::Region all = analysis::within(zone, body_mm).value_or(zone);
     for (const ir::Monitor& m : s.decision.monitors) {
@@ -158,11 +192,12 @@ class LockUps {
     }
     return start;
   }
-  static std::vector<Start> best(std::vector<std::pair<double, Start>> found) {
+  static std::vector<Start> best(std::vector<std::pair<double, Start>> found,
+                                 std::size_t most = starts_most) {
     std::ranges::stable_sort(found, {}, &std::pair<double, Start>::first);
     std::vector<Start> all;
     for (auto& [rank, start] : found) {
-      if (all.size() < starts_most) all.push_back(std::move(start));
+      if (all.size() < most) all.push_back(std::move(start));
     }
     return all;
   }
@@ -183,6 +218,9 @@ std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
   // what is external is an attack in a run
   if (instead != nullptr && instead->recovery.kind != ir::RecoveryKind::external) {
     all = found.at_walls();
+  }
+  if (s.decision.robots == 2 && s.decision.body.in_space && instead == nullptr) {
+    all = found.stacked_in_corners();
   }
   if (s.decision.robots > 2) {
     for (const auto& starts : {found.in_corners(), found.before_walls()}) {

@@ -55,6 +55,7 @@ struct Start {
 struct LockUp {
   std::int64_t within_mm = 0;
   std::vector<int> waiting{};  // modes
+  bool errors_last = false;    // what they measure has to be off, and to stay so
 };
 
 struct Obligation {

@@ -163,18 +163,25 @@ bool waits_by_itself(const ir::Monitor& m) {
          !speaks_of_inputs(m.property);
 }
 
+// One over the other: the first two coordinates are those of the plane.
+bool stacked(const Start& start) {
+  const auto& [first, others, battery] = start;
+  return !others.empty() && std::equal(first.begin(), first.begin() + 2, others[0].begin());
+}
+
 // What nothing is known of, but that a run may show robots which wait for each other for ever, from
 // one of `starts`.
 Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vector<Start> starts,
                          Obligation o) {
   if (starts.empty()) return o;
-  o.starts = std::move(starts);
   // whoever drives farther off is in nobody's way (YieldManoeuvre)
   LockUp lock_up{2 * yield.pass_gap_mm + 4 * s.decision.body.position_error_mm};
   for (std::size_t i = 0; i < s.decision.monitors.size(); ++i) {
     if (waits_by_itself(s.decision.monitors[i])) lock_up.waiting.push_back(static_cast<int>(i) + 1);
   }
+  lock_up.errors_last = stacked(starts.front());
   o.lock_up = std::move(lock_up);
+  o.starts = std::move(starts);
   o.status = Status::refuted;
   o.method = "robots that wait for each other";
   o.by_a_run = true;
@@ -182,6 +189,10 @@ Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vecto
 }
 std::string may_lock(const std::vector<Start>& starts) {
   const auto& [first, others, battery] = starts.front();
+  if (stacked(starts.front())) {
+    return "those that hold at " + place(first[0], first[1]) + ", one over the other, may wait " +
+           "for each other for ever, where what they measure stays off";
+  }
   return "those that hold at " + place(first[0], first[1]) + " and beside it, at " +
          place(others[0][0], others[0][1]) + ", may wait for each other for ever";
 }

@@ -416,6 +416,18 @@ TEST_F(MakingRoom, OfThreeRobotsThePassageIsNamed) {
   const std::string aisle = of_three("rectangle (0 m, 0 m) to (40 m, 5 m)");
   EXPECT_NE(aisle.find("it is 5 m wide at most"), std::string::npos) << aisle;
 }
+// In space one may hold over the other in a corner, where there is room for both: a run starts
+// there.
+TEST_F(MakingRoom, InSpaceOneMayHoldOverTheOther) {
+  const std::string tall = spec_text("tests/compiler/verify/refuted/stacked.rta");
+  const std::string over = because(tall);
+  EXPECT_NE(over.find("m), one over the other, may wait for each other for ever"),
+            std::string::npos)
+      << over;
+  const std::string low = because(edited(edited(tall, "from 0 m to 6 m", "from 0 m to 2 m"),
+                                         "distance(r, q) >= 10 cm", "distance(r, q) >= 3 m"));
+  EXPECT_EQ(low.find("may wait for each other for ever"), std::string::npos) << low;
+}
 TEST_F(MakingRoom, OfAnythingButADistanceNothingIsShown) {
   const std::string either = "(distance(r, q) >= 20 cm or distance(r, q) >= 1 m)";
   const std::string hall = "rectangle (0 m, 0 m) to (6 m, 4 m)";
