@@ -33,7 +33,11 @@ constexpr std::size_t known_ways_max = 800'000'000;
 
 // Where robots are put that find no way: so many places of a cell, each way, of two cells and of
 // those up to `aside` beside them. From there the search may look as far as this for a leg.
-constexpr int finely = 8, coarsely = 4, aside = 2, farthest_cells = 45;
+constexpr int finely = 8, coarsely = 4, roughly = 2, aside = 2, farthest_cells = 45;
+// So many pairs of places are looked at: of large zones, seconds.
+constexpr int placed_max = 40'000;
+// Of places of 1 mm; the search forgives 8 mm.
+constexpr double forgiven_most_mm = 10;
 
 // Steps of two robots, the shortest first.
 std::vector<std::array<Step, 2>> steps_aside() {
@@ -97,6 +101,7 @@ class Search {
         may_be_clear_(cells, query.clearance_mm - unsure_.clearance_mm),
         alike_(cells, clear_, may_be_clear_, connectors(), around_cells(), far_mm_),
         stands_(edges, query.clearance_mm, std::max(query.body_mm, query.stands_mm + 1)),
+        sights_(edges, query.clearance_mm, query.body_mm, forgiven_most_mm),
         holds_somebody_(alike_.kinds()),
         places_(cells.clearance_mm_lo.size()) {
     looks_ += alike_.looked_at();
@@ -385,20 +390,48 @@ class Search {
     });
   }
 
-  // Of the places in two cells, or in cells beside them, those in the midst of all from which
-  // neither leaves, where a little to either side makes no difference. Else the middles of the
-  // cells.
+  // Of the places in two cells those in the midst of all from which neither leaves, where a little
+  // to either side makes no difference; or else of those across a passage, or in cells beside the
+  // two. Else the middles of the cells.
   Parting stuck_in(int one, int other) {
+    if (const auto here = stuck_at(one, other, finely)) return *here;
+    if (const auto across = stuck_across()) return *across;
     for (const auto& [by_one, by_other] : steps_aside()) {
       const int a = moved(one, by_one), b = moved(other, by_other);
       if (a < 0 || b < 0) continue;
-      const bool same = a == one && b == other;
-      const auto all = stuck_places(a, b, same ? finely : coarsely);
-      if (all.empty()) continue;
-      const auto& [p, q] = midst_of(all);
-      return {Parting::How::stuck, rounded(p), rounded(q)};
+      if (const auto beside = stuck_at(a, b, coarsely)) return *beside;
     }
     return {Parting::How::stuck, rounded(middle(one)), rounded(middle(other))};
+  }
+  std::optional<Parting> stuck_at(int one, int other, int each_way) {
+    const auto all = stuck_places(one, other, each_way);
+    if (all.empty()) return std::nullopt;
+    const auto& [p, q] = midst_of(all);
+    return Parting{Parting::How::stuck, rounded(p), rounded(q)};
+  }
+  // Before both walls of a passage, opposite to each other: whatever leads on leads first to where
+  // ways are clear, between the two. The farthest first, which are nearest to the walls.
+  std::optional<Parting> stuck_across() {
+    constexpr int lengths = 4, tries_max = 500;
+    int tries = 0;
+    for (int shorter = 1; shorter <= lengths; ++shorter) {
+      for (const auto& [columns, rows] : {Step{0, 1}, Step{1, 0}, Step{1, 1}, Step{-1, 1}}) {
+        const double apart = query_.apart_mm / (size_ * std::hypot(columns, rows));
+        const int many = static_cast<int>(apart) - shorter;
+        if (many < 2) continue;
+        for (int one = 0; index(one) < places_.size(); ++one) {
+          const int other = moved(one, {many * columns, many * rows});
+          const int between = moved(one, {many / 2 * columns, many / 2 * rows});
+          if (other < 0 || !may_be_clear(between) || may_be_clear(one) || may_be_clear(other) ||
+              !holds_somebody(one) || !holds_somebody(other))
+            continue;
+          if (++tries > tries_max) return std::nullopt;
+          if (stuck_places(one, other, roughly).empty()) continue;
+          if (auto stuck = stuck_at(one, other, coarsely)) return stuck;
+        }
+      }
+    }
+    return std::nullopt;
   }
   [[nodiscard]] int moved(int cell, Step by) const {
     const int c = column(cell) + by.columns, r = row(cell) + by.rows;
@@ -413,6 +446,7 @@ class Search {
         const Box here = box_of(a.spot), there = box_of(b.spot);
         if (is_beyond(here.middle, {there.middle, 0}, query_.apart_mm)) continue;
         if (!is_beyond(here.middle, {there.middle, 0}, query_.nearest_mm)) continue;
+        if (++placed_ > placed_max) return all;
         if (may_leave(one, a, {other, place(other), b})) continue;
         if (may_leave(other, b, {one, place(one), a})) continue;
         all.push_back({here.middle, there.middle});
@@ -434,14 +468,26 @@ class Search {
     }
     return all;
   }
-  // As the search looks, but that nothing stands in the way of legs.
+  // As the search looks.
   bool may_leave(int cell, const Patch& one, Robot other) {
     const Box here = box_of(one.spot), there = box_of(other.patch.spot);
     if (is_clear(cell) && recedes(middle(cell), here, there)) return leads(cell, other);
-    const auto goes = [&](int to) {
-      return may_be_clear(to) && !comes_nearer(middle(to), here, there) && leads(to, other);
+    std::optional<Connectors::Spot> spot;
+    const auto sees = [&](Vec c) {
+      const double half = one.spot.side_mm / 2;
+      if (!spot) {
+        spot = sights_.look_around(here.middle.x - half, here.middle.y - half, one.spot.side_mm,
+                                   farthest_cells * size_ * std::sqrt(2.0));
+      }
+      return sights_.is_sound(*spot, {c.x, c.y, 0});
     };
-    bool does = std::ranges::any_of(place(cell).landings, goes);  // mostly
+    const auto goes = [&](int to) {
+      return may_be_clear(to) && !comes_nearer(middle(to), here, there) && leads(to, other) &&
+             sees(middle(to));
+    };
+    if (std::ranges::any_of(place(cell).landings, goes)) return true;  // mostly
+    if (std::ranges::any_of(place(cell).far, goes)) return true;
+    bool does = false;
     around(cell, farthest_cells * size_, [&](int to) { does = does || goes(to); });
     return does;
   }
@@ -616,6 +662,7 @@ class Search {
   const ClearCells clear_, may_be_clear_;
   const Alike alike_;
   Connectors stands_;                                // where a robot is put
+  Connectors sights_;                                // and what it may go to from there
   std::vector<std::optional<bool>> holds_somebody_;  // by kinds, as far as that has been asked
   std::vector<Place> places_;
   std::vector<std::uint8_t> steps_;
@@ -625,6 +672,7 @@ class Search {
   // and where in its cell a part of it is.
   std::map<std::array<double, 4>, std::shared_ptr<Ways>> known_ways_;
   bool by_all_legs_ = false;
+  int placed_ = 0;
   std::int64_t looks_ = 0;
 };
 

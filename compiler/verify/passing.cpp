@@ -35,16 +35,21 @@ std::string place_of(const geometry::GridPoint& p) {
   return place(p.x_mm, p.y_mm);
 }
 
+// Two robots that hold nearer to each other are not given back, if they are measured as they are.
+std::int64_t kept_mm(const ir::Decision& d, const ir::Monitor& m) {
+  const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
+  return analysis::sure_separation_mm(m.property, d.facts.params) +
+         analysis::return_clearance_mm(d, ahead_us) + d.body.radius_mm;
+}
+
 // From how far on two robots that hold are given back, as they are measured at any time: at rest,
 // and measured anew all along, each at one end of its sway and then at the other one.
 std::int64_t given_back_mm(const ir::Decision& d, const ir::Monitor& m) {
   const ir::Body& b = d.body;
-  const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
-  const std::int64_t other_mm = b.radius_mm + 2 * b.position_error_mm + b.hold_mm;
+  const std::int64_t other_mm = 2 * b.position_error_mm + b.hold_mm;
   const std::int64_t span_mm = b.sway_mm > 0 ? 2 * b.sway_mm : 2 * b.position_error_mm + b.hold_mm;
   constexpr std::int64_t rounding_mm = 4;  // of both samples, and of the distance
-  return analysis::sure_separation_mm(m.property, d.facts.params) +
-         analysis::return_clearance_mm(d, ahead_us) + other_mm + 2 * span_mm + rounding_mm;
+  return kept_mm(d, m) + other_mm + 2 * span_mm + rounding_mm;
 }
 
 // As robots are measured that hold, and with the room for errors that the runtime leaves (Aside):
@@ -133,8 +138,31 @@ struct NoWay {
   std::string why;
   std::vector<Start> starts{};
 };
-NoWay no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
-             const geometry::PartingQuery& query) {
+Start start_of(const geometry::Parting& stuck) {
+  return {{stuck.one.x_mm, stuck.one.y_mm}, {{stuck.other.x_mm, stuck.other.y_mm}}};
+}
+// Where they may be stuck, if they are so near to each other that neither is given back before
+// anybody drives.
+std::optional<Start> near_start(const Subject& s, const ir::Monitor& m,
+                                const geometry::PartingQuery& query) {
+  const ir::ZoneTable& zone = s.module[ir::last_step(m.recovery).zone];
+  constexpr std::int64_t spare_mm = 10;  // of what is measured as it is, and rounded
+  const std::int64_t near_mm = kept_mm(s.decision, m) - spare_mm;
+  // it tells where a run may begin, and is not worth much time
+  constexpr double pairs_most = 10e6;
+  const geometry::CellGrid cells = analysis::grid_of(zone);
+  const double around = 1 + 2.0 * static_cast<double>(near_mm) / cells.cell_mm;
+  if (static_cast<double>(cells.clearance_mm_lo.size()) * around * around > pairs_most) {
+    return std::nullopt;
+  }
+  geometry::PartingQuery near = query;
+  near.apart_mm = static_cast<std::int32_t>(std::max<std::int64_t>(near_mm, 0));
+  const auto found = geometry::parting(analysis::edges_of(zone), cells, near);
+  return found.how == geometry::Parting::How::stuck ? std::optional(start_of(found)) : std::nullopt;
+}
+NoWay no_way(const Subject& s, const ir::Monitor& m, const geometry::PartingQuery& query) {
+  const ir::Recovery& yield = ir::last_step(m.recovery);
+  const ir::ZoneTable& zone = s.module[yield.zone];
   const geometry::Parting found =
       geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
   if (found.how == geometry::Parting::How::too_large) {
@@ -142,10 +170,12 @@ NoWay no_way(const ir::ZoneTable& zone, const ir::Recovery& yield,
             "that one of two robots finds a way out of the other's is not shown"};
   }
   if (found.how == geometry::Parting::How::stuck) {
-    return {"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-                " in " + quoted(zone.name) + " may both find no way to a distance of " +
-                metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one",
-            {Start{{found.one.x_mm, found.one.y_mm}, {{found.other.x_mm, found.other.y_mm}}}}};
+    NoWay none{"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
+                   " in " + quoted(zone.name) + " may both find no way to a distance of " +
+                   metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one",
+               {start_of(found)}};
+    if (const auto near = near_start(s, m, query)) none.starts.insert(none.starts.begin(), *near);
+    return none;
   }
   return {};
 }
@@ -249,7 +279,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s.decision, s.decision.monitors[k]);
   const std::string more = more_than_two(s, k);
-  NoWay none = more.empty() ? no_way(zone, yield, query) : NoWay{};
+  NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
   const auto [other, told] = drives_instead(s.decision, k);
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
