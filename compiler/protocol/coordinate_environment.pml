@@ -1,7 +1,10 @@
 
-/* Ahead of a recovery that is faster than who drives less may hold. */
+/* Ahead of a recovery that is faster than who drives less may hold; but when nothing more comes from
+ * outside, all of a monitor that stays idle while that recovery drives: inputs and agents, which have
+ * let go then, whoever drives, and what is accepted. */
+#define stays_idle(i) (quiet && keeps[i])
 #define may_differ(i) (fits[i] && shown[i] == 0 && !engaged[(i) % MONITORS] && !sure[(i) % MONITORS] && \
-                       driver != 0 && (i) / MONITORS != own)
+                       driver != 0 && !stays_idle(i) && (i) / MONITORS != own)
 
 inline choose_ahead() {
   k = 0;

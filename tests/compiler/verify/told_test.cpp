@@ -67,6 +67,24 @@ TEST_F(Told, AnEmergencyStopIsItsOwnAnswerWhereverWhoCoordinatesRanksIt) {
   }
 }
 
+// An emergency stop uses up the charge, which is accepted, so that the charge and its way home are
+// in a circle with it. Inputs that have let go are no reason to engage, whoever of them drives.
+TEST_F(Told, AnEmergencyStopThatHasLetGoIsNoTurnOfWhoCoordinates) {
+  std::string text = yard_with(halts, "0.3 m/s", "told > fence > charge");
+  text = edited(text, "  output drive",
+                R"(  sense battery : ratio error 1 % max_age 5 s;
+  energy { drive <= 0.2 %/m; idle <= 0.01 %/s; drain <= 0.3 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 15 m; }
+  output drive)");
+  text = edited(text, "robot Cart", "site dock = (3 m, 4 m);\nrobot Cart");
+  text = edited(text, "decision gate",
+                R"(controller home : safe for Cart = route to dock within yard speed 0.5 m/s;
+monitor charge for r : Cart { "R3: comes home" always r.battery >= energy_to(dock) + 10 %; recover home; return when r.battery >= 85 %; }
+decision gate)");
+  text = edited(text, "priority told > fence > charge",
+                "coordinate told > fence > charge; acknowledge stop may break charge \"staff\"");
+  expect_proved(text);
+}
+
 // Inputs ask for it wherever the robot is, and stay as they are in a run: a place tells.
 TEST_F(Told, ALandingThatInputsAskForOverWhatIsNotToBeHitIsRefuted) {
   const std::string text = R"(spec cranes;
