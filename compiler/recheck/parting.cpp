@@ -18,6 +18,7 @@
 #include "compiler/recheck/open_sides.h"
 #include "compiler/recheck/receding.h"
 #include "compiler/recheck/return_when.h"
+#include "compiler/recheck/sides.h"
 #include "compiler/recheck/squares.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
@@ -443,14 +444,18 @@ std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e) {
   return least_distance(spec, e);
 }
 
-// Whether what asks for a recovery that only stands are inputs and agents, wherever the robot is:
-// they let it go on.
+// Whether what asks for a recovery that only stands are inputs and agents, wherever the robot is,
+// or that it is faster than `recovery`, which drives then, but where inputs say so: they let it go
+// on.
 bool stands_while_told(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                       const sema::Monitor& m) {
+                       const sema::Controller& recovery, const sema::Monitor& m) {
   const auto steps = sema::templates_of(spec[*m.recover]);
   if (steps.size() != 1 || !std::holds_alternative<sema::BrakeAndHold>(steps.front())) return false;
-  const bool told = !sema::speaks_of_robot(*m.always) && !speaks_of_windows(*m.always);
-  return (told || asks_agents_only(*m.always)) && lets_go(spec, d, claims, m, 0);
+  if (speaks_of_windows(*m.always) || !lets_go(spec, d, claims, m, 0)) return false;
+  if (!sema::speaks_of_robot(*m.always) || asks_agents_only(*m.always)) return true;
+  const Rational extra = return_extra(spec, d);
+  Sides sides(spec, d, claims);
+  return sides.gives_back(m, extra) && sides.keeps_while_told(recovery, m, extra);
 }
 // Whether no other recovery than that of `m` may drive where `m` is engaged, but for what is told
 // to stand.
@@ -459,7 +464,7 @@ bool drives_alone(const sema::Spec& spec, const sema::Decision& d, Claims& claim
   for (const sema::MonitorId id : d.priority) {
     if (&spec[id] == &m && !d.coordinated) return true;
     if (spec[id].recover == m.recover) continue;
-    if (d.coordinated || !stands_while_told(spec, d, claims, spec[id])) return false;
+    if (!stands_while_told(spec, d, claims, spec[*m.recover], spec[id])) return false;
   }
   return true;
 }

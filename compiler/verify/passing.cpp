@@ -83,9 +83,11 @@ bool only_apart(const ir::Block& block, ir::ValueId id, const std::vector<ir::Pa
   return least && least->leaf.kind == ir::Leaf::Kind::distance;
 }
 
-// What asks for a recovery that only stands are inputs and agents, wherever the robot is: they let
-// it go on.
-bool stands_while_told(const ir::Monitor& m) {
+// What asks for a recovery that only stands are inputs and agents, wherever the robot is, or that
+// it is too fast, which it is not while that of monitor `k` drives, but where inputs say so: they
+// let it go on.
+bool stands_while_told(const Subject& s, std::size_t k, std::size_t i) {
+  const ir::Monitor& m = s.decision.monitors[i];
   if (m.recovery.kind != ir::RecoveryKind::brake) return false;
   if (m.return_when && m.returns.how == ir::Returns::How::open) return false;
   const bool inputs = std::ranges::all_of(m.property.values, [](const ir::Value& v) {
@@ -93,23 +95,27 @@ bool stands_while_told(const ir::Monitor& m) {
     return (fact != nullptr && !fact->of_robot) || std::holds_alternative<ir::And>(v.op) ||
            std::holds_alternative<ir::Or>(v.op) || std::holds_alternative<ir::Not>(v.op);
   });
-  return inputs || asks_agents_only(m.property);
+  if (inputs || asks_agents_only(m.property)) return true;
+  return atoms_of(m.property).only_speed() && slow_enough(s, k, i) &&
+         control_returns(s, i).status == Status::proved;
 }
 
-// Whose recoveries may drive in the place of that of monitor `k`. `other`: the first that makes no
-// room, and tells nobody that it cannot get away. `told`: those that only stand, while inputs or
-// agents ask for it.
+// Whose recoveries may drive in the place of that of monitor `k`: of those that rank higher, and of
+// all where they are coordinated, as the one that drives goes on when `k` engages. `other`: the
+// first that makes no room, and tells nobody that it cannot get away. `told`: those that only
+// stand, until inputs or agents let them go on.
 struct Instead {
   const ir::Monitor* other = nullptr;
   std::string told;
 };
-Instead drives_instead(const ir::Decision& d, std::size_t k) {
+Instead drives_instead(const Subject& s, std::size_t k) {
+  const ir::Decision& d = s.decision;
   Instead found;
   const std::size_t many = d.coordinated ? d.monitors.size() : k;
   for (std::size_t i = 0; i < many; ++i) {
     const ir::Monitor& m = d.monitors[i];
     if (m.recovery.name == d.monitors[k].recovery.name) continue;
-    if (!d.coordinated && stands_while_told(m)) {
+    if (stands_while_told(s, k, i)) {
       found.told += (found.told.empty() ? "" : ", ") + quoted(m.name);
     } else if (found.other == nullptr) {
       found.other = &m;
@@ -280,7 +286,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   const geometry::PartingQuery query = query_of(s.decision, s.decision.monitors[k]);
   const std::string more = more_than_two(s, k);
   NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
-  const auto [other, told] = drives_instead(s.decision, k);
+  const auto [other, told] = drives_instead(s, k);
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
   o.because = none.why;

@@ -51,6 +51,9 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
 // ---- the recoveries
 Obligation recovery_keeps(const Subject& s, std::size_t k);
 Obligation control_returns(const Subject& s, std::size_t k);
+// Whether the recovery of one monitor is as slow as the property of another one asks, whoever has
+// accepted that it is not (5033); or waits while inputs ask for less.
+bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged);
 // P2b of a recovery that waits for other robots.
 Obligation makes_room(const Subject& s, std::size_t k, Obligation o);
 Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::size_t driving,

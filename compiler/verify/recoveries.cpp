@@ -510,15 +510,13 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
 
 }  // namespace
 
-namespace {
-
-// Whether a recovery is as slow as the property of another monitor asks, whoever has accepted that
-// it is not (5033).
 bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged) {
   const analysis::HowItLies lies = how_it_lies(s);
   return analysis::keeps_speed_limits({s.spec, s.written, s.module, s.decision, lies}, driving,
                                       judged);
 }
+
+namespace {
 
 // Of a recovery that keeps what the other monitor says as far as its robot goes, while others may
 // break that: the other monitor's own recovery takes over, and what that may break is acknowledged
