@@ -92,6 +92,7 @@ class Deriver {
     if (diagnostics_.has_errors()) return std::nullopt;
     PointTables points =
         number_zones(spec_, sources_, wanted, *evaluated_, out_.module, out_.tables);
+    trials_.tables_are(out_.tables);
     number_sites();
     for (const sema::Decision& decision : spec_.decisions) {
       out_.module.decisions.push_back(this->decision(decision));

@@ -129,8 +129,7 @@ class Joint {
         const std::int64_t middle = low + (high - low) / 2;
         (none(middle) ? low : high) = middle;
       }
-      auto works = growth_that_works(*of_.trials, of_.module[zone].name, exact_(zone), high,
-                                     most_mm, fault, high);
+      auto works = growth_that_works(*of_.trials, zone, exact_(zone), high, most_mm, fault, high);
       if (works) return works;
     }
     return std::nullopt;

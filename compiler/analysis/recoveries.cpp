@@ -416,7 +416,7 @@ class Recoveries {
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
     const auto by_mm = widening_mm(exact, most_mm, fits, whole);
     if (!by_mm) return std::nullopt;
-    return growth_that_works(*trials_, zone.name, exact, *by_mm, most_mm,
+    return growth_that_works(*trials_, last.zone, exact, *by_mm, most_mm,
                              fault_of(of.code, of.range));
   }
 

@@ -178,21 +178,33 @@ class Places {
     d.notes.push_back({std::nullopt, area(beyond) + " of " + zone + " lie outside " + names +
                                          some_place(beyond, all)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = kept_.size() == 1 && kept.zones.size() == 1
-                 ? "a zone that lies in " + names + " works" + example(step, kept.zones[0])
-                 : works(step, d.code);
+    d.help = kept_.size() == 1 && kept.zones.size() == 1 ? lies_in(step, kept.zones[0])
+                                                         : works(step, d.code);
     found_.push_back(std::move(d));
     return true;
   }
-  // Where the property keeps it out of a zone, what is left of its own; "": that has not worked.
-  std::string example(const ir::Recovery& step, ir::ZoneIndex zone) const {
+  // Where the property keeps it out of a zone, what is left of its own.
+  std::string lies_in(const ir::Recovery& step, ir::ZoneIndex zone) const {
+    const std::string in = "a zone that lies in " + name_of(zone);
+    if (trials_ == nullptr) return in + " works";  // nobody reads it
     const bool out = module_[zone].name.starts_with("outside_of_") || step.claims;
-    const std::int64_t off_mm = out ? kept_mm(step, zone) : 0;
-    const std::string left = out ? deep_text(module_, step.zone, {zone, off_mm}) : "";
-    std::vector<ZonePart> parts{{{zone}, off_mm}};
-    if (!left.empty() && zone != step.zone) parts.push_back({{step.zone}});
-    if (!tried(diag::Code::recovery_elsewhere, step, parts).value_or(true)) return "";
-    return ", such as " + (left.empty() ? name_of(zone) : "`" + left + "`");
+    std::vector<ZonePart> parts{{{zone}, out ? kept_mm(step, zone) : 0}};
+    if (out) parts.insert(parts.begin(), {{step.zone}});
+    const std::string such = written_as(*trials_, module_, parts);
+    const auto has_worked = tried(diag::Code::recovery_elsewhere, step, parts);
+    if (has_worked.value_or(true)) {
+      const bool named = !out && !is_unnamed(zone);
+      return in + " works" +
+             (named          ? ", such as " + name_of(zone)
+              : such.empty() ? ", such as that one with a name"
+                             : ", such as `" + such + "`");
+    }
+    return in + " is needed, and not alone" +
+           (such.empty() ? ": other errors are left" : ": in `" + such + "` other errors are left");
+  }
+  [[nodiscard]] bool is_unnamed(ir::ZoneIndex zone) const {
+    const auto id = trials_->zone_of(zone);
+    return !id || trials_->spec()[*id].name.empty();
   }
   // On the whole specification.
   std::optional<bool> tried(diag::Code code, const ir::Recovery& step,
@@ -264,8 +276,8 @@ class Places {
                                         diag::Code code) const {
     if (trials_ == nullptr) return std::nullopt;  // nobody reads it
     for (auto zone = kept.zones.rbegin(); zone != kept.zones.rend(); ++zone) {
-      auto works = growth_that_works(*trials_, module_[*zone].name, exact_(*zone), overlap_mm,
-                                     overlap_mm, fault_of(code, written_.recover_range));
+      auto works = growth_that_works(*trials_, *zone, exact_(*zone), overlap_mm, overlap_mm,
+                                     fault_of(code, written_.recover_range));
       if (works) return works;
     }
     return std::nullopt;

@@ -202,9 +202,10 @@ class ReturnSet {
     const bool over_cells = returns_over_cells(decision_, ir::last_step(retreat_->recovery));
     const auto by_mm = over_cells ? widening_mm(exact_(place), wider_most_mm / 2, fits)
                                   : std::optional(missing_mm(*retreat_) + recheck_misses_mm);
-    if (!by_mm || *by_mm > wider_most_mm / 2) return "";
-    return growth_that_works(*of_.trials, zone.name, exact_(place), *by_mm, 2 * need_mm, fault,
-                             *by_mm)
+    if (!by_mm || *by_mm > wider_most_mm / 2) {
+      return distance_that_works(*of_.trials, place, need_mm, fault).value_or("");
+    }
+    return growth_that_works(*of_.trials, place, exact_(place), *by_mm, 2 * need_mm, fault, *by_mm)
         .value_or("");
   }
   // Or one other number.

@@ -1,7 +1,6 @@
 #include "compiler/analysis/trials.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace rtac::analysis {
 namespace {
@@ -75,6 +74,12 @@ Faults faults_of(const diag::Engine& diagnostics) {
     }
   }
   return found;
+}
+
+std::optional<sema::ZoneId> Trials::zone_of(ir::ZoneIndex table) const {
+  const auto found = std::ranges::find(zones_, std::optional(table));
+  if (found == zones_.end()) return std::nullopt;
+  return sema::ZoneId(found - zones_.begin());
 }
 
 const Faults& Trials::as_written(bool shown) {

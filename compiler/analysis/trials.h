@@ -9,8 +9,10 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compiler/diagnostics/engine.h"
+#include "compiler/ir/table_map.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
@@ -52,7 +54,11 @@ class Trials {
   // Of numbers, not by what is shown with them, which takes ten times as long.
   void go_by_reports_alone() { reports_alone_ = true; }
   // To be changed, and to be as it was afterwards.
-  [[nodiscard]] sema::Spec& spec() { return spec_; }
+  [[nodiscard]] sema::Spec& spec() const { return spec_; }
+  // Of the specification as it is written.
+  void tables_are(const ir::TableMap& tables) { zones_ = tables.zones; }
+  // The zone that a table has been made of; none: a slab alone.
+  [[nodiscard]] std::optional<sema::ZoneId> zone_of(ir::ZoneIndex table) const;
 
   // The number nearest to the written one with which `fault` is gone, nothing is wrong or no longer
   // shown that was right, and no more is wrong, or not shown of the same monitor, than with others
@@ -85,6 +91,7 @@ class Trials {
 
   sema::Spec& spec_;
   Run run_;
+  std::vector<std::optional<ir::ZoneIndex>> zones_;  // by ZoneId
   bool reports_alone_ = false;
   int runs_ = 0, shown_ = 0;
   std::int64_t effort_ = 0, effort_of_shown_ = 0;

@@ -376,9 +376,9 @@ class WellFormed {
       return cell && cells.clearance_mm_lo[*cell] >= clearance_mm;
     };
     const auto guess_mm = widening_mm(exact_.flat(way.zone), 2 * clearance_mm, fits);
-    const auto grown = guess_mm ? growth_that_works(*of.trials, zone.name, exact_.flat(way.zone),
+    const auto grown = guess_mm ? growth_that_works(*of.trials, way.zone, exact_.flat(way.zone),
                                                     *guess_mm, 2 * clearance_mm, fault)
-                                : std::nullopt;
+                                : distance_that_works(*of.trials, way.zone, clearance_mm, fault);
     if (!grown && others.empty()) return none + ": another site and a wider zone are needed";
     return none + ": " + grown.value_or("") + (grown && !others.empty() ? "; or " : "") +
            (others.empty() ? "" : joined(others) + " works");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/dials.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/zone_text.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/support/words.h"
 
@@ -25,6 +27,27 @@ bool closes_a_gap(const geometry::Region& zone, std::int64_t by_mm) {
   const Rational by_m = metres_of(by_mm);
   const geometry::Region filled = zone.grow(by_m).shrink(by_m).subtract(zone);
   return !filled.shrink(Rational(by_m / 2)).empty();
+}
+
+// The offsets of a zone that make it narrower, or, of what is taken out of one, wider, the last one
+// first; in what has no name of its own.
+void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
+                    std::vector<sema::ZoneExpr*>& found) {
+  const auto behind = [&](sema::ZoneId id) {
+    sema::Zone& of = spec.zones[static_cast<std::size_t>(id)];
+    return of.name.empty() ? of.value.get() : nullptr;
+  };
+  if (auto* both = std::get_if<sema::ZoneBinary>(&zone.node)) {
+    find_narrowing(spec, *both->right, both->op == sema::ZoneOp::subtract ? !kept : kept, found);
+    find_narrowing(spec, *both->left, kept, found);
+  } else if (auto* by = std::get_if<sema::ZoneOffset>(&zone.node)) {
+    if ((by->distance < 0) == kept) found.push_back(&zone);
+    find_narrowing(spec, *by->operand, kept, found);
+  } else if (const auto* ref = std::get_if<sema::ZoneRef>(&zone.node)) {
+    if (auto* of = behind(ref->zone)) find_narrowing(spec, *of, kept, found);
+  } else if (const auto* out = std::get_if<sema::ZoneComplement>(&zone.node)) {
+    if (auto* of = behind(out->zone)) find_narrowing(spec, *of, !kept, found);
+  }
 }
 
 }  // namespace
@@ -54,17 +77,25 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
   return high;
 }
 
-std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
+std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table,
                                              const geometry::Region& exact, std::int64_t guess_mm,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm) {
-  auto& zones = trials.spec().zones;
-  const auto named = [&](const sema::Zone& z) { return !z.name.empty() && z.name == zone; };
-  const auto found = std::ranges::find_if(zones, named);
-  if (found == zones.end()) return std::nullopt;
-  sema::ZoneExprPtr& value = found->value;
+  const auto id = trials.zone_of(table);
+  if (!id) return std::nullopt;
+  sema::Zone& zone = trials.spec().zones[static_cast<std::size_t>(*id)];
+  const bool unnamed = zone.name.empty();
+  const std::string name = unnamed ? zone_text(trials.spec(), *zone.value) : zone.name;
+  // where the author has written a distance, that is what is changed
+  if (unnamed) {
+    if (auto works = distance_that_works(trials, table, guess_mm, fault)) return works;
+  }
+  if (name.empty() || std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
+    return std::nullopt;
+  }
+  sema::ZoneExprPtr& value = zone.value;
   const SourceRange range = value->range;
-  const Dial dial{"the growth of " + zone,
+  const Dial dial{"the growth of " + name,
                   std::max<std::int64_t>(least_mm - 1, 0),
                   std::max(guess_mm, most_mm),
                   [&](std::int64_t mm) {
@@ -80,8 +111,53 @@ std::optional<std::string> growth_that_works(Trials& trials, const std::string& 
                   },
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
-  if (!by_mm || closes_a_gap(exact, *by_mm)) return std::nullopt;
-  return "`grow(" + zone + ", " + metres(*by_mm) + ")` in its place works";
+  if (by_mm && !closes_a_gap(exact, *by_mm)) {
+    return "`grow(" + name + ", " + metres(*by_mm) + ")` in its place works";
+  }
+  return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);
+}
+
+std::optional<std::string> distance_that_works(Trials& trials, ir::ZoneIndex table,
+                                               std::int64_t guess_mm, const Fault& fault) {
+  const auto id = trials.zone_of(table);
+  // each trial evaluates offsets anew, which a remark is not worth
+  const bool error = diag::info(fault.code).severity == diag::Severity::error;
+  if (!id || !error) return std::nullopt;
+  sema::Spec& spec = trials.spec();
+  std::vector<sema::ZoneExpr*> narrows;
+  find_narrowing(spec, *spec.zones[static_cast<std::size_t>(*id)].value, true, narrows);
+  for (sema::ZoneExpr* each : narrows) {
+    auto& distance = std::get<sema::ZoneOffset>(each->node).distance;
+    const Rational written = distance;
+    const bool shrinks = written < 0;
+    const std::int64_t from_mm = ceil_to_int(Rational((shrinks ? -written : written) * 1000));
+    const std::int64_t far_mm = std::max<std::int64_t>(1, from_mm / asked_share);
+    const std::int64_t begin_mm = std::max(from_mm - std::max<std::int64_t>(guess_mm, 1), far_mm);
+    if (begin_mm >= from_mm) continue;
+    const std::string was = zone_text(spec, *each);
+    const std::string at = std::to_string(static_cast<std::uint32_t>(each->range.file)) + ":" +
+                           std::to_string(each->range.begin);
+    const Dial dial{"the distance at " + at,
+                    from_mm,
+                    far_mm,
+                    [&](std::int64_t mm) {
+                      distance = metres_of(shrinks ? -mm : mm);
+                      return true;
+                    },
+                    [&] { distance = written; },
+                    true};
+    const auto mm = trials.nearest(dial, begin_mm, fault);
+    if (!mm) continue;
+    distance = metres_of(shrinks ? -*mm : *mm);
+    const std::string is = zone_text(spec, *each);
+    distance = written;
+    if (is.empty()) {
+      return std::string("`") + (shrinks ? "shrink" : "grow") + "` by at most " + metres(*mm) +
+             " in its expression works";
+    }
+    return "`" + is + "` in place of `" + was + "` works";
+  }
+  return std::nullopt;
 }
 
 }  // namespace rtac::analysis

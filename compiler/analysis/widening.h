@@ -24,13 +24,19 @@ using FitsZone =
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
                                         const FitsZone& fits, const FitsZone& whole = {});
 
-// "`grow(yard, 0.2 m)` in its place works": the least growth of a zone that has a name with which
-// the whole specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
-// `least_mm`, which is no more than the guess. none: as of other numbers (Trials::nearest), or what
-// the zone leaves out would be grown over.
-std::optional<std::string> growth_that_works(Trials& trials, const std::string& zone,
+// "`grow(yard, 0.2 m)` in its place works": the least growth of a zone with which the whole
+// specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
+// `least_mm`, which is no more than the guess; or a distance in it (distance_that_works). none: as
+// of other numbers (Trials::nearest), or what the zone leaves out would be grown over.
+std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex zone,
                                              const geometry::Region& exact, std::int64_t guess_mm,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm = 0);
+
+// "`grow(pond, 0.4 m)` in place of `grow(pond, 0.5 m)` works": of the distances that a zone is
+// written with, or one without a name in it, the first that makes it wider by about `guess_mm`, and
+// with which the whole specification has been tried.
+std::optional<std::string> distance_that_works(Trials& trials, ir::ZoneIndex zone,
+                                               std::int64_t guess_mm, const Fault& fault);
 
 }  // namespace rtac::analysis

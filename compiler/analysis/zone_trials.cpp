@@ -7,6 +7,7 @@
 
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/zone_text.h"
 
 namespace rtac::analysis {
 namespace {
@@ -18,10 +19,10 @@ using sema::ZoneOp;
 // Writes a zone of others.
 class Writer {
  public:
-  Writer(const sema::Spec& spec, const ir::Module& module, const SourceRange& range)
-      : spec_(spec), module_(module), range_(range) {}
+  Writer(const Trials& trials, const ir::Module& module, const SourceRange& range)
+      : trials_(trials), module_(module), range_(range) {}
 
-  // Null: a part is not written anywhere, or is one of several that have heights.
+  // Null: a part is a slab, or is one of several that have heights.
   ZoneExprPtr common(const std::vector<ZonePart>& parts) const {
     if (!whole(parts) && has_height(parts)) return nullptr;
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
@@ -34,7 +35,7 @@ class Writer {
       }
       ZoneExprPtr some;
       for (const ir::ZoneIndex zone : part.either) {
-        const auto id = named(module_[zone].name);
+        const auto id = trials_.zone_of(zone);
         if (!id) return nullptr;
         join(some, ZoneOp::unite, make(sema::ZoneRef{*id}));
       }
@@ -49,11 +50,6 @@ class Writer {
       return std::ranges::any_of(part.either,
                                  [&](ir::ZoneIndex zone) { return module_[zone].has_height(); });
     });
-  }
-  std::optional<sema::ZoneId> named(const std::string& name) const {
-    const auto found = std::ranges::find(spec_.zones, name, &sema::Zone::name);
-    if (name.empty() || found == spec_.zones.end()) return std::nullopt;
-    return sema::ZoneId(found - spec_.zones.begin());
   }
 
  private:
@@ -76,35 +72,54 @@ class Writer {
   }
   // The zone that a table is the rest of the plane of.
   std::optional<sema::ZoneId> outside_of(ir::ZoneIndex zone) const {
-    const std::string outside = "outside_of_", &name = module_[zone].name;
-    return name.starts_with(outside) ? named(name.substr(outside.size())) : std::nullopt;
+    const auto id = trials_.zone_of(zone);
+    if (!id) return std::nullopt;
+    const auto* of = std::get_if<sema::ZoneComplement>(&trials_.spec()[*id].value->node);
+    return of == nullptr ? std::nullopt : std::optional(of->zone);
   }
 
-  const sema::Spec& spec_;
+  const Trials& trials_;
   const ir::Module& module_;
   SourceRange range_;
 };
+
+// nullopt: as of the writer.
+std::optional<sema::Zone> made(const Trials& trials, const ir::Module& module, ir::ZoneIndex from,
+                               const std::vector<ZonePart>& parts) {
+  const auto old = trials.zone_of(from);
+  if (!old) return std::nullopt;
+  const sema::Zone& moved_in = trials.spec()[*old];
+  const Writer writer(trials, module, moved_in.value->range);
+  ZoneExprPtr value = writer.common(parts);
+  if (!value) return std::nullopt;
+  return sema::Zone{
+      "", moved_in.name_range, std::move(value), moved_in.frame, writer.has_height(parts), {}};
+}
+std::string name_of(const ir::Module& module, const std::vector<ZonePart>& parts) {
+  std::string name;
+  for (const ZonePart& part : parts) {
+    for (const ir::ZoneIndex of : part.either) name += module[of].name + " ";
+    name += std::to_string(part.off_mm) + ";";
+  }
+  return name;
+}
 
 }  // namespace
 
 std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
                                  const std::string& recovery, const ir::Module& module,
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts) {
-  sema::Spec& spec = trials.spec();
-  const auto old = Writer(spec, module, {}).named(module[from].name);
-  if (!old) return std::nullopt;
-  const sema::Zone& moved_in = spec.zones[static_cast<std::size_t>(*old)];
-  const Writer writer(spec, module, moved_in.value->range);
-  ZoneExprPtr value = writer.common(parts);
-  if (!value) return std::nullopt;
-  sema::Zone zone{
-      "", moved_in.name_range, std::move(value), moved_in.frame, writer.has_height(parts), {}};
-  std::string name;
-  for (const ZonePart& part : parts) {
-    for (const ir::ZoneIndex of : part.either) name += module[of].name + " ";
-    name += std::to_string(part.off_mm) + ";";
-  }
-  return works_in_zone(trials, fault, all_of, recovery, name, *old, std::move(zone));
+  const auto old = trials.zone_of(from);
+  auto zone = old ? made(trials, module, from, parts) : std::nullopt;
+  if (!zone) return std::nullopt;
+  return works_in_zone(trials, fault, all_of, recovery, name_of(module, parts), *old,
+                       std::move(*zone));
+}
+
+std::string written_as(const Trials& trials, const ir::Module& module,
+                       const std::vector<ZonePart>& parts) {
+  const ZoneExprPtr value = Writer(trials, module, {}).common(parts);
+  return value ? zone_text(trials.spec(), *value) : "";
 }
 
 }  // namespace rtac::analysis

@@ -16,12 +16,16 @@ namespace rtac::analysis {
 struct ZonePart {
   std::vector<ir::ZoneIndex> either;
   std::int64_t off_mm = 0;
+  bool operator==(const ZonePart&) const = default;
 };
 // Whether `fault` is gone, nothing is wrong that was right, and no error of places is left in
 // `all_of`, when `recovery` moves in what all of `parts` have in common instead of `from`. none: a
-// zone has no name, or is one of several that have heights, so that it cannot be tried.
+// zone is a slab, or one of several that have heights, so that it cannot be tried.
 std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
                                  const std::string& recovery, const ir::Module& module,
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts);
+// That zone as in zone_text.h.
+std::string written_as(const Trials& trials, const ir::Module& module,
+                       const std::vector<ZonePart>& parts);
 
 }  // namespace rtac::analysis

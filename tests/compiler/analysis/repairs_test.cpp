@@ -570,5 +570,86 @@ TEST(Repairs, TheSizesOf7001Work) {
   }
 }
 
+// Zones that are written in a property have no name to move within: what stands there is offered.
+std::string by_the_pond(const std::string& property, const std::string& moves_within) {
+  return R"(spec pond;
+zone yard = rectangle (0 m, 0 m) to (12 m, 12 m);
+zone pond = rectangle (5 m, 5 m) to (7 m, 7 m);
+zone kept = )" +
+         moves_within + R"(;
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 0.6 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm max_age 50 ms;
+  sense   velocity : vector error 2 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 50 ms;
+}
+fleet bot : Bot;
+controller run  : advanced for Bot extern;
+controller back : safe for Bot = retreat within kept speed 0.3 m/s;
+monitor dry for r : Bot { "R1" always )" +
+         property + R"(; recover back; }
+decision drive for Bot { advanced run; period 50 ms; priority dry; }
+)";
+}
+TEST(Repairs, WhatIsWrittenInAPropertyIsOfferedAsAZone) {
+  for (const std::string zone :
+       {"yard - grow(pond, 1.2 m)", "shrink(yard, 0.6 m)", "yard - pond", "yard - (pond & yard)"}) {
+    const auto c = compiled(by_the_pond("r inside " + zone, "yard"));
+    ASSERT_TRUE(has(*c, Code::recovery_elsewhere)) << reports(*c);
+    EXPECT_NE(reports(*c).find("works, such as `" + zone + "`"), std::string::npos) << reports(*c);
+    const auto good = compiled(by_the_pond("r inside " + zone, zone));
+    EXPECT_TRUE(good->module) << reports(*good);
+  }
+}
+
+// The site of a way lies in what the property keeps it out of: no part of its zone is enough.
+TEST(Repairs, AZoneThatHasNotWorkedIsNotSaidToWork) {
+  const std::string faulty = edited(edited(by_the_pond("distance(r, pond) >= 1 m", "yard"),
+                                           "robot Bot", "site hut = (6 m, 6 m);\nrobot Bot"),
+                                    "retreat within", "route to hut within");
+  const auto c = compiled(faulty);
+  ASSERT_TRUE(has(*c, Code::recovery_elsewhere)) << reports(*c);
+  EXPECT_NE(reports(*c).find("is needed, and not alone: in `kept - grow(pond, 1 m)` other errors"),
+            std::string::npos)
+      << reports(*c);
+  EXPECT_FALSE(compiled(edited(faulty, "kept = yard", "kept = yard - grow(pond, 1 m)"))->module);
+}
+
+// A distance within a zone that has no name is the number of a place in common.
+std::string lane_and_shrunk_yard(const std::string& off) {
+  return R"(spec joint;
+zone yard = rectangle (0 m, 0 m) to (12 m, 12 m);
+zone mid  = shrink(yard, 1.9 m);
+zone lane = rectangle (0 m, 0 m) to (12 m, 2 m);
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 0.6 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm max_age 50 ms;
+  sense   velocity : vector error 2 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 50 ms;
+}
+fleet bot : Bot;
+controller run  : advanced for Bot extern;
+controller back : safe for Bot = retreat within lane speed 0.3 m/s;
+controller off  : safe for Bot = retreat within mid speed 0.3 m/s;
+monitor fence for r : Bot { "R1" always r inside lane; recover back; }
+monitor dry   for r : Bot { "R2" always r inside shrink(yard, )" +
+         off + R"( m); recover off; }
+decision drive for Bot { advanced run; period 50 ms; priority fence > dry; acknowledge back may break dry "x"; }
+)";
+}
+TEST(Repairs, ADistanceInAZoneWithoutANameOf5007Works) {
+  const auto c = compiled(lane_and_shrunk_yard("1.8"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const std::string most =
+      number_in_help(*c, Code::return_set_empty, "`shrink(yard, ", "m)` in place of");
+  EXPECT_FALSE(has(*compiled(lane_and_shrunk_yard(most)), Code::return_set_empty)) << most;
+  const std::string beyond = std::to_string(1.05 * std::stod(most));
+  EXPECT_TRUE(has(*compiled(lane_and_shrunk_yard(beyond)), Code::return_set_empty)) << most;
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test
