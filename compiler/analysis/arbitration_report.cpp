@@ -152,7 +152,33 @@ class Report {
         if (works.value_or(false)) return each.help + " works";
       }
     }
-    return "";
+    const Within all = in_all(breach);
+    if (all.parts.empty() || !works_within(*trials_, fault_of(of.code, of.range), own, recovery,
+                                           module_, all.from, all.parts)
+                                  .value_or(false)) {
+      return "";
+    }
+    const std::string text = written_as(*trials_, module_, all.parts);
+    return text.empty() ? "" : "a recovery within a zone that is `" + text + "` works";
+  }
+  // In its own zone and in those of all that it does not keep, where they are several: others that
+  // rank higher, or coordinate, among them.
+  [[nodiscard]] Within in_all(const Breach& breach) const {
+    Within all;
+    std::size_t count = 0;
+    for (const Entry& entry : all_[breach.recovery]) {
+      if (entry.keeping == Keeping::kept) continue;
+      if (entry.within.empty()) return {};
+      const Within& shared = entry.within.back();  // the narrowest
+      if (count > 0 && shared.from != all.from) return {};
+      if (count == 0) all.parts.push_back({{shared.from}});
+      all.from = shared.from;
+      for (const ZonePart& part : shared.parts) {
+        if (std::ranges::find(all.parts, part) == all.parts.end()) all.parts.push_back(part);
+      }
+      ++count;
+    }
+    return count > 1 ? all : Within{};
   }
   // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
   // and of another order nobody waits above others for what may never come about.

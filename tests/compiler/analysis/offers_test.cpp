@@ -139,6 +139,48 @@ decision guard for Rover { advanced ac; period 200 ms; priority pondoff > dryin;
       << found->help;
 }
 
+// Of three fields that are left by each other's recoveries one zone in all of them is offered, and
+// tried.
+std::string three_fields(const std::string& in_a, const std::string& in_b,
+                         const std::string& in_c) {
+  return R"(spec three_fields;
+zone a = rectangle (0 m, 0 m) to (20 m, 12 m);
+zone b = rectangle (6 m, 0 m) to (26 m, 12 m);
+zone c = rectangle (3 m, -4 m) to (23 m, 8 m);
+zone for_a = )" +
+         in_a + ";\nzone for_b = " + in_b + ";\nzone for_c = " + in_c + R"(;
+robot Bot {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 50 ms;
+  sense   velocity : vector error 2 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 50 ms;
+}
+fleet r1 : Bot;
+controller go : advanced for Bot extern;
+controller ra : safe for Bot = retreat within for_a speed 0.4 m/s;
+controller rb : safe for Bot = retreat within for_b speed 0.4 m/s;
+controller rc : safe for Bot = retreat within for_c speed 0.4 m/s;
+monitor ma for r : Bot { "R1: in field a" always r inside a; recover ra; }
+monitor mb for r : Bot { "R2: in field b" always r inside b; recover rb; }
+monitor mc for r : Bot { "R3: in field c" always r inside c; recover rc; }
+decision drive for Bot { advanced go; period 100 ms; coordinate ma > mb > mc; }
+)";
+}
+TEST(Offers, AZoneInAllThatIsNotKept) {
+  const std::string help = help_of(three_fields("a", "b", "c"));
+  const std::string before = "a recovery within a zone that is `", after = "` works";
+  const std::size_t at = help.find(before), end = help.find(after, at);
+  ASSERT_TRUE(at != std::string::npos && end != std::string::npos) << help;
+  const std::string zone = help.substr(at + before.size(), end - at - before.size());
+  const auto breaks_of_a = [](const std::string& text) {
+    return reports(*compiled(text)).find("while `ra` drives") != std::string::npos;
+  };
+  EXPECT_FALSE(breaks_of_a(three_fields(zone, "b", "c"))) << zone;
+  EXPECT_TRUE(breaks_of_a(three_fields("a & b", "b", "c")));
+}
+
 int superfluous(const std::string& clauses) {
   const auto c = compiled(yard_with(fence("") + side, clauses));
   EXPECT_FALSE(c->diagnostics.has_errors()) << reports(*c);
