@@ -494,7 +494,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   if (milli(*route) < claims.leg_clearance(d, m, *zone)) return wrong(too_near);
   // told of a measurement, or of the period before, and anew a period later
   const Rational told = std::max({n.period, n.position_age, n.velocity_age});
-  if (!kind.hears_max_age || kind.hears_max_age->value < told + n.period + n.jitter) {
+  if (!kind.hears_max_age || kind.hears_max_age->value < told + n.period) {
     return wrong("they may never hear where the other one is in time");
   }
   // at rest, with the other one somewhere around where it was measured and holds

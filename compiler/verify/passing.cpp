@@ -272,7 +272,7 @@ std::int64_t heard_by_us(const Subject& s) {
   const ir::Body& b = s.decision.body;
   const std::int64_t told_us =
       std::max({s.decision.period_us, b.position_age_us, b.velocity_age_us});
-  return told_us + s.decision.period_us + b.jitter_us;
+  return told_us + s.decision.period_us;
 }
 
 }  // namespace
