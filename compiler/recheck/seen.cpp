@@ -9,15 +9,20 @@
 namespace rtac::recheck {
 namespace {
 
-// Each part that has to hold.
+// Each part that one connective joins: `a or b or c` is an `or` within another.
 template <class Visit>
-void for_each_conjunct(const sema::Expr& e, const Visit& visit) {
+void for_each_of(sema::LogicOp op, const sema::Expr& e, const Visit& visit) {
   const auto* logic = std::get_if<sema::Logic>(&e.node);
-  if (logic == nullptr || logic->op != sema::LogicOp::logical_and) {
+  if (logic == nullptr || logic->op != op) {
     visit(e);
     return;
   }
-  for (const sema::ExprPtr& each : logic->operands) for_each_conjunct(*each, visit);
+  for (const sema::ExprPtr& each : logic->operands) for_each_of(op, *each, visit);
+}
+// Each part that has to hold.
+template <class Visit>
+void for_each_conjunct(const sema::Expr& e, const Visit& visit) {
+  for_each_of(sema::LogicOp::logical_and, e, visit);
 }
 
 struct Limits {
@@ -59,12 +64,13 @@ std::vector<std::vector<sema::ZoneId>> sides_at_once(const sema::Expr& property)
     const auto* logic = std::get_if<sema::Logic>(&e.node);
     if (logic == nullptr || logic->op != sema::LogicOp::logical_or) return;
     std::vector<sema::ZoneId> zones;
-    for (const sema::ExprPtr& side : logic->operands) {
-      const auto of_side = all_zones(*side);
-      if (of_side.empty()) return;
+    bool of_zones = true;
+    for_each_of(sema::LogicOp::logical_or, e, [&](const sema::Expr& side) {
+      const auto of_side = all_zones(side);
+      of_zones = of_zones && !of_side.empty();
       zones.insert(zones.end(), of_side.begin(), of_side.end());
-    }
-    all.push_back(std::move(zones));
+    });
+    if (of_zones) all.push_back(std::move(zones));
   });
   return all;
 }
