@@ -17,8 +17,9 @@ namespace {
 
 constexpr double diagonal = 1.41422;  // from above
 // In sides of cells: by so much a way may be longer than the shortest one. The search reckons in
-// floats, and each step may be off by 2^-23 of what it has come, or less.
-constexpr double spare = 0.5, of_step = 1.2e-7;
+// floats, and each step may be off by 2^-23 of what it has come, or less. All of them have to be
+// off by less than is to spare: by less than what the recheck is sure of, too, which is 0.45.
+constexpr double spare = 0.5, of_step = 1.2e-7, of_steps_max = 0.44;
 // Of cells times limits and goals; of cells of rectangles.
 constexpr std::int64_t cells_max = 6'000'000, covered_max = 4'000'000;
 // The analysis rounds goals up to millimetres, each of two, and the search takes metres.
@@ -188,7 +189,7 @@ class Counting {
     }
     // with the leg that leads to its first cell
     const double in_all = longest + cells_.columns + cells_.rows;
-    return (longest + 2) * in_all * of_step < spare - (diagonal - std::sqrt(2.0)) * longest;
+    return (longest + 2) * in_all * of_step < of_steps_max;
   }
   bool hold_boxes() {
     std::int64_t covered = 0;

@@ -191,6 +191,16 @@ TEST(WayLegs, AreNotCountedOfVeryLongWays) {
   EXPECT_EQ(most_legs(bake(*snap_inside(corridor), 100).cells, {kBody, kRoute, {800}}),
             std::nullopt);
 }
+// Nor where the recheck is not sure of them: it counts legs up to 0.45 of the side of a cell by
+// which floats may be off, and those of 136 m may be by 0.456 of it.
+TEST(WayLegs, AreNotCountedWhereTheRecheckDoesNot) {
+  const auto legs = [](std::int32_t length_mm) {
+    const Region corridor = box(0, 0, length_mm, 700).unite(box(-2000, -2000, 10, 2000));
+    return most_legs(bake(*snap_inside(corridor), 100).cells, {kBody, kRoute, {800}});
+  };
+  EXPECT_NE(legs(131'000), std::nullopt);
+  EXPECT_EQ(legs(136'200), std::nullopt);
+}
 
 }  // namespace
 }  // namespace rtac::geometry
