@@ -7,12 +7,27 @@
 
 namespace rtac::recheck {
 
+namespace {
+
+// In whole millimetres, where doubles tell them apart even squared. Asked of the exact number: what
+// is off by however little, the robot has up to 1 mm elsewhere.
+bool is_on_grid(const geometry::Point& p) {
+  const Rational far_m = 10'000;
+  const auto whole = [&](const Rational& m) {
+    return abs(m) < far_m && Rational(m * 1000).get_den() == 1;
+  };
+  return whole(p.x) && whole(p.y);
+}
+
+}  // namespace
+
 std::vector<Segment> segments_of(const geometry::Region& region) {
   std::vector<Segment> all;
   for (const geometry::Ring& ring : region.rings()) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      all.push_back({a.x.get_d(), a.y.get_d(), b.x.get_d(), b.y.get_d()});
+      all.push_back(
+          {a.x.get_d(), a.y.get_d(), b.x.get_d(), b.y.get_d(), is_on_grid(a) && is_on_grid(b)});
     }
   }
   return all;
@@ -59,15 +74,6 @@ double square_to(const Segment& s, const Box& box) {
 constexpr double per_mm = 1e-3;
 constexpr double same_m = 1e-9;  // what two doubles of one length differ by, and more
 
-// In whole millimetres, where doubles tell them apart even squared.
-bool is_on_grid(const Segment& s) {
-  constexpr double far_m = 10'000;
-  const auto whole = [](double m) {
-    return std::abs(m) < far_m && std::abs(m / per_mm - std::round(m / per_mm)) < same_m;
-  };
-  return whole(s.ax) && whole(s.ay) && whole(s.bx) && whole(s.by);
-}
-
 // Whether a place of the segment is nearer to the box than `mm`, exactly, where both are on the
 // grid and have no place in common: one of the nearest two is an end or a corner.
 bool is_nearer(const Segment& s, const Box& box, long mm) {
@@ -93,7 +99,7 @@ bool is_nearer(const Segment& s, const Box& box, long mm) {
 class Filler {
  public:
   Filler(const std::vector<Segment>& all, Grid& grid)
-      : all_(all), grid_(grid), on_grid_(std::ranges::all_of(all, is_on_grid)) {
+      : all_(all), grid_(grid), on_grid_(std::ranges::all_of(all, &Segment::on_grid)) {
     grid_.clearance.assign(grid_.columns * grid_.rows, -1);
     if (on_grid_) grid_.less = -same_m;
   }

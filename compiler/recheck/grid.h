@@ -17,6 +17,7 @@ inline constexpr double table_m = snap_m + 0.001;
 
 struct Segment {
   double ax, ay, bx, by;
+  bool on_grid = false;  // both ends are exactly in whole millimetres
 };
 std::vector<Segment> segments_of(const geometry::Region& region);
 double square_to(const Segment& s, double x, double y);

@@ -57,6 +57,17 @@ TEST(OnGrid, CellsOfAnyOutline) {
   }
   EXPECT_GT(clear, 10'000);
 }
+// The robot has the corner up to 1 mm elsewhere, however little it is off.
+TEST(OnGrid, ACornerThatIsHardlyOffTheGridIsOffIt) {
+  const Rational hardly(1, 2'000'000'000);
+  for (const bool off : {false, true}) {
+    const Rational right = off ? Rational(8 + hardly) : Rational(8);
+    const auto grid =
+        grid_of(segments_of(polygon({{0, 0}, {right, 0}, {right, 6}, {0, 6}})), {100, 0, 0});
+    ASSERT_TRUE(grid);
+    EXPECT_EQ(grid->less > 0, off);
+  }
+}
 
 }  // namespace
 }  // namespace rtac::recheck
