@@ -238,6 +238,29 @@ std::optional<Obligation> too_narrow_to_see(const Subject& s, const std::vector<
   return std::nullopt;
 }
 
+// Each side of an `or` asks for a zone, and none of these has a place that is wide enough.
+std::optional<Obligation> too_narrow_on_each_side(const Subject& s, const ir::Monitor& m,
+                                                  const Obligation& o) {
+  if (s.decision.on_plan) return std::nullopt;
+  for (const auto& sides : analysis::surely_in(m.property, s.decision.facts.params)) {
+    std::string all;
+    for (const analysis::Standoff& side : sides) {
+      const ir::ZoneTable& table = s.module[side.zone];
+      const std::int64_t need_mm =
+          analysis::shown_clearance_mm(s.decision, s.decision.motions.front(), side.mm);
+      if (table.widest_mm + rounded_mm >= need_mm) {
+        all.clear();
+        break;
+      }
+      all += (all.empty() ? "the widest place of " : ", that of ") + quoted(table.name) + " is " +
+             metres(table.widest_mm) + " from its boundary where " + metres(need_mm) +
+             " are sure to be seen";
+    }
+    if (!all.empty()) return not_seen(o, true, "geometry", all);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Obligation can_hold(const Subject& s, std::size_t k) {
@@ -262,6 +285,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
   if (auto narrow = too_narrow_to_see(s, needs, o)) return std::move(*narrow);
+  if (auto narrow = too_narrow_on_each_side(s, m, o)) return std::move(*narrow);
   std::optional<Witness> common;
   std::vector<Need> together;
   const std::vector<Sides> ways = sides_seen(s, m);
