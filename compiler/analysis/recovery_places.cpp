@@ -379,7 +379,7 @@ class Places {
     const std::int64_t back_mm = step.return_clearance_mm - kept_off_mm;
     const auto returns = within(all, back_mm);
     if (!inside) {
-      return "a recovery within their union is needed, and zones that overlap by about " +
+      return "both are needed: a recovery within their union, and zones that overlap by about " +
              metres(2 * keeps_mm);
     }
     if (returns && returns->empty()) {

@@ -260,6 +260,22 @@ TEST(Recoveries, DoNotPassASeamThatNoZoneHoldsABodyOn) {
   EXPECT_EQ(codes(seam), Codes{5016});
 }
 
+// The union alone has seams that the zones are too narrow for, and wider zones alone leave the
+// recovery in one of them.
+TEST(Recoveries, BothOfWhatAnOrNeedsAreNamedAsNeeded) {
+  Text t{"retreat within left speed 0.3 m/s"};
+  t.zones =
+      "zone left = polygon [(0 m, 2 m), (12 m, 0 m), (14 m, 8 m), (2 m, 10 m)]; "
+      "zone right = polygon [(9 m, 3 m), (24 m, 6 m), (22 m, 16 m), (8 m, 12 m)];";
+  t.property = "d inside left or d inside right";
+  const auto c = compiled(text_of(t));
+  ASSERT_EQ(codes(t), Codes{5016});
+  EXPECT_EQ(c->diagnostics.all().front().help.find(
+                "both are needed: a recovery within their union, and zones that overlap by"),
+            0U)
+      << reports(*c);
+}
+
 TEST(Recoveries, LeadOutOfAViolationOrAreAccepted) {
   const std::string why = "hold when violated \"it is carried back\";";
   for (const std::string stands :
