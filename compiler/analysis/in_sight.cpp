@@ -60,29 +60,22 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
 }
 
 // It tries its goals from the deepest on, and searches for no way: what it takes is straight away
-// from the boundary, or in sight. The recheck is sure of lengths to 3 mm, of cells that have 4 mm,
-// and not of those that the boundary passes by.
+// from the boundary, or in sight.
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                             const ir::Decision& decision, const ir::Recovery& recovery) {
-  constexpr std::int32_t surely_mm = 4, rounded_mm = 1;
   const std::int64_t least_mm = seen_least_mm(decision, recovery);
   if (least_mm >= decision.body.radius_mm) return LedIn{};
   if (least_mm <= 0) return std::nullopt;
-  geometry::CellGrid grid = grid_of(cells);
-  for (std::int32_t& clearance : grid.clearance_mm_lo) {
-    if (clearance < surely_mm) clearance = -1;
-  }
+  const geometry::CellGrid grid = grid_of(cells);
   const std::int32_t least = in_mm(least_mm);
   const std::int64_t route_mm = recovery.route_clearance_mm;
-  geometry::StraightLegs known(edges, grid, least, in_mm(route_mm));
-  const geometry::StraightLegs near(edges, grid, least, in_mm(route_mm - rounded_mm));
-  const geometry::StraightLegs far(edges, grid, least,
-                                   in_mm(recovery.return_clearance_mm - rounded_mm));
+  geometry::StraightLegs near(edges, grid, least, in_mm(route_mm));
+  const geometry::StraightLegs far(edges, grid, least, in_mm(recovery.return_clearance_mm));
   LedIn in{route_mm, goals_mm(decision, recovery).back()};
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells.clearance_mm_lo[at];
     if (clearance < 0 || clearance >= decision.body.radius_mm) continue;
-    const auto leg = known.longest_from(at);
+    const auto leg = near.longest_from(at);
     in.first_mm = std::max(in.first_mm, whole_mm(leg ? *leg : near.farthest_from(at)));
     in.all_mm = std::max(in.all_mm, whole_mm(far.farthest_from(at)));
   }

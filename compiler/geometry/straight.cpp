@@ -16,8 +16,13 @@ constexpr int halvings_max = 7;
 constexpr double forgiven_mm = 1;
 // A goal is so much clearer than is asked for: the recheck finds clearances of cells to 4 mm.
 constexpr std::int32_t surely_mm = 6;
-// A goal that is taken from lengths is rounded up to millimetres, each of two.
-constexpr std::int32_t rounded_mm = 2;
+// A goal that is taken from lengths is rounded up to millimetres, each of two; the recheck takes it
+// for 3 less.
+constexpr std::int32_t rounded_mm = 3;
+// Of cells that the recheck is sure are tried.
+constexpr std::int32_t surely_tried_mm = 4;
+// It takes for tried what lies within 4 mm of the exact outline, which is 3 mm off these edges.
+constexpr double perhaps_tried_mm = 8;
 // Of edges and legs; what has not been looked at is not known.
 constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
 
@@ -36,6 +41,36 @@ bool is_convex(const std::vector<EdgeRow>& edges) {
   return upward == 1;
 }
 
+// The cells that an edge passes by so near that the recheck may take them for tried: row by row,
+// those beside the part of it that lies beside the row.
+void mark_beside(const EdgeRow& edge, const CellGrid& cells, std::vector<bool>& all) {
+  const double size = cells.cell_mm, by = perhaps_tried_mm;
+  const auto index = [&](double at_mm, std::int32_t origin_mm, std::int32_t count) {
+    const double cell = std::floor((at_mm - origin_mm) / size);
+    return static_cast<std::size_t>(std::clamp<double>(cell, 0, count - 1));
+  };
+  const bool up = edge.a.y_mm <= edge.b.y_mm;
+  const GridPoint &low = up ? edge.a : edge.b, &top = up ? edge.b : edge.a;
+  const double rise = top.y_mm - low.y_mm, run = top.x_mm - low.x_mm;
+  const auto x_at = [&](double y_mm, double level) {
+    return low.x_mm + run * (rise == 0 ? level : std::clamp((y_mm - low.y_mm) / rise, 0.0, 1.0));
+  };
+  const std::size_t last = index(top.y_mm + by, cells.origin.y_mm, cells.rows);
+  for (std::size_t r = index(low.y_mm - by, cells.origin.y_mm, cells.rows); r <= last; ++r) {
+    const double south = cells.origin.y_mm + static_cast<double>(r) * size;
+    const double x0 = x_at(south - by, 0), x1 = x_at(south + size + by, 1);
+    const std::size_t end = index(std::max(x0, x1) + by, cells.origin.x_mm, cells.columns);
+    std::size_t c = index(std::min(x0, x1) - by, cells.origin.x_mm, cells.columns);
+    for (; c <= end; ++c) all[r * static_cast<std::size_t>(cells.columns) + c] = true;
+  }
+}
+std::vector<bool> cells_beside(const std::vector<EdgeRow>& edges, const CellGrid& cells) {
+  std::vector<bool> all(cells.clearance_mm_lo.size(), false);
+  if (all.empty()) return all;
+  for (const EdgeRow& edge : edges) mark_beside(edge, cells, all);
+  return all;
+}
+
 }  // namespace
 
 StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells,
@@ -44,6 +79,7 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
       goal_mm_(goal_mm),
       clearest_mm_(cells.clearance_mm_lo.empty() ? -1 : std::ranges::max(cells.clearance_mm_lo)),
       convex_(is_convex(edges)),
+      beside_(cells_beside(edges, cells)),
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
 
@@ -96,15 +132,14 @@ double StraightLegs::farthest_from(std::size_t cell) const {
 }
 
 std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perhaps) const {
-  const std::int32_t least_mm = perhaps ? goal_mm_ - rounded_mm : goal_mm_ + surely_mm;
   std::vector<End> found;
-  if (clearest_mm_ < least_mm) return found;
+  if (clearest_mm_ < least_mm(perhaps)) return found;
   int tested = 0;
   const std::int32_t last = std::max(cells_.columns, cells_.rows);
   for (std::int32_t ring = 0; ring <= last && tested <= tests_max; ++ring) {
     if (!perhaps && found.size() >= enough) break;
     std::vector<End> of_ring;
-    tested += add_ring(cell, ring, least_mm, of_ring);
+    tested += add_ring(cell, ring, perhaps, of_ring);
     if (!perhaps && tested > tests_max) break;
     found.insert(found.end(), of_ring.begin(), of_ring.end());
   }
@@ -112,7 +147,11 @@ std::vector<StraightLegs::End> StraightLegs::ends_of(std::size_t cell, bool perh
   return found;
 }
 
-int StraightLegs::add_ring(std::size_t cell, std::int32_t ring, std::int32_t least_mm,
+std::int32_t StraightLegs::least_mm(bool perhaps) const {
+  return perhaps ? goal_mm_ - rounded_mm : goal_mm_ + surely_mm;
+}
+
+int StraightLegs::add_ring(std::size_t cell, std::int32_t ring, bool perhaps,
                            std::vector<End>& ends) const {
   const auto columns = static_cast<std::size_t>(cells_.columns);
   const auto column = static_cast<std::int32_t>(cell % columns);
@@ -124,12 +163,10 @@ int StraightLegs::add_ring(std::size_t cell, std::int32_t ring, std::int32_t lea
     for (std::int32_t c = column - ring; c <= column + ring;
          c += side || ring == 0 ? 1 : 2 * ring) {
       if (c < 0 || c >= cells_.columns) continue;
-      const std::int32_t clearance =
-          cells_
-              .clearance_mm_lo[static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)];
-      if (clearance < 0) continue;
-      ++tested;
-      if (clearance < least_mm) continue;
+      const std::size_t at = static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c);
+      const std::int32_t clearance = cells_.clearance_mm_lo[at];
+      if (perhaps ? clearance >= surely_tried_mm : clearance >= 0 || beside_[at]) ++tested;
+      if (clearance < std::max(least_mm(perhaps), 0)) continue;
       ends.push_back(
           {{cells_.origin.x_mm + (c + 0.5) * size, cells_.origin.y_mm + (r + 0.5) * size, 0},
            std::hypot((c - column) * size, (r - row) * size)});

@@ -33,9 +33,9 @@ class StraightLegs {
   };
   // Those that are tried, whichever place of the cell it is; or, `perhaps`, may be.
   [[nodiscard]] std::vector<End> ends_of(std::size_t cell, bool perhaps) const;
-  // Appends those of one ring; how many of its cells are tried.
-  int add_ring(std::size_t cell, std::int32_t ring, std::int32_t least_mm,
-               std::vector<End>& ends) const;
+  // Appends those of one ring; how many of its cells are tried: at most, or, `perhaps`, at least.
+  int add_ring(std::size_t cell, std::int32_t ring, bool perhaps, std::vector<End>& ends) const;
+  [[nodiscard]] std::int32_t least_mm(bool perhaps) const;
   std::optional<double> longest_in(const Connectors::Spot& spot, const std::vector<End>& ends,
                                    double most_mm, int halvings);
 
@@ -43,8 +43,9 @@ class StraightLegs {
   const std::int32_t goal_mm_;
   const std::int32_t clearest_mm_;  // of all cells
   const bool convex_;
-  Connectors legs_;    // what they keep
-  Connectors around_;  // of places
+  const std::vector<bool> beside_;  // by cell: the recheck may take it for one that is tried
+  Connectors legs_;                 // what they keep
+  Connectors around_;               // of places
   std::int64_t looks_ = 0, looks_end_ = 0;
 };
 

@@ -22,27 +22,29 @@ double apart(Place a, Place b) {
 Straight::Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex)
     : zone_(zone), grid_(grid), body_(body), convex_(convex), met_(met()) {}
 
-// Cells that lie in the box around a piece of a segment no longer than a cell: some more than it
-// meets.
+// Row by row, beside the piece of a segment that is in it: some more than it meets.
 std::vector<bool> Straight::met() const {
+  constexpr double near = table_m + 2 * slack_m;
   std::vector<bool> all(grid_.clearance.size(), false);
   const auto cell = [&](double at, double origin, std::size_t count) {
     return static_cast<std::size_t>(
         std::clamp(std::floor((at - origin) / grid_.cell), 0.0, double(count - 1)));
   };
   for (const Segment& s : zone_) {
-    const int pieces = 1 + static_cast<int>(length(s.bx - s.ax, s.by - s.ay) / grid_.cell);
-    for (int i = 0; i < pieces; ++i) {
-      const auto at = [&](double a, double b, int k) { return a + (b - a) * k / pieces; };
-      const auto [x0, x1] = std::minmax({at(s.ax, s.bx, i), at(s.ax, s.bx, i + 1)});
-      const auto [y0, y1] = std::minmax({at(s.ay, s.by, i), at(s.ay, s.by, i + 1)});
-      const std::size_t last = cell(x1 + table_m, grid_.x, grid_.columns);
-      const std::size_t top = cell(y1 + table_m, grid_.y, grid_.rows);
-      for (std::size_t r = cell(y0 - table_m, grid_.y, grid_.rows); r <= top; ++r) {
-        for (std::size_t c = cell(x0 - table_m, grid_.x, grid_.columns); c <= last; ++c) {
-          all[r * grid_.columns + c] = true;
-        }
+    const auto [low, top] = std::minmax(s.ay, s.by);
+    const std::size_t last = cell(top + near, grid_.y, grid_.rows);
+    for (std::size_t r = cell(low - near, grid_.y, grid_.rows); r <= last; ++r) {
+      const Box row = grid_.box(0, r, 1);
+      double from = 0, to = 1;  // of the segment
+      if (low < top) {
+        const double a = (row.y - near - s.ay) / (s.by - s.ay);
+        const double b = (row.top + near - s.ay) / (s.by - s.ay);
+        from = std::clamp(std::min(a, b), 0.0, 1.0), to = std::clamp(std::max(a, b), 0.0, 1.0);
       }
+      const double x0 = s.ax + (s.bx - s.ax) * from, x1 = s.ax + (s.bx - s.ax) * to;
+      const std::size_t end = cell(std::max(x0, x1) + near, grid_.x, grid_.columns);
+      std::size_t c = cell(std::min(x0, x1) - near, grid_.x, grid_.columns);
+      for (; c <= end; ++c) all[r * grid_.columns + c] = true;
     }
   }
   return all;

@@ -218,6 +218,37 @@ TEST_F(Lasting, AnEndInSightTakesOneLeg) {
   EXPECT_NE((sought.out + sought.err).find("a way over cells"), std::string::npos);
 }
 
+// Of a corner a retreat tries so many cells that few more would be too many: what the recheck
+// cannot tell from a cell that is tried counts as one, so that a claim is always found once more.
+TEST_F(Lasting, ALegAcrossManyCellsIsFoundOnceMore) {
+  for (const char* const back : {"2.481 m", "2.681 m", "2.881 m"}) {
+    prove(R"(spec far;
+zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (22 m, 5 m), (16 m, 17 m), (3 m, 11 m)];
+site dock = (9 m, 6 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 0.9 m/s; accel <= 0.8 m/s^2; brake >= 1.2 m/s^2; }
+  sense   position : point  error 2 cm   max_age 100 ms;
+  sense   velocity : vector error 2 cm/s max_age 100 ms;
+  sense   battery  : ratio  error 1 %    max_age 2 s;
+  output  push : acceleration;
+  latency 50 ms;
+  energy  { drive <= 0.3 %/m; idle <= 0.01 %/s; drain <= 0.5 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 12 m; }
+}
+fleet cart : Cart;
+controller explore : advanced for Cart extern;
+controller inwards : safe for Cart = retreat within yard speed 0.4 m/s;
+controller go_home : safe for Cart = route to dock within yard speed 0.5 m/s;
+monitor walls for c : Cart { "SR-1" always c inside yard; recover inwards; return when clearance(c, yard) >= )" +
+          std::string(back) + R"( for 1 s; }
+monitor charged for c : Cart { "SR-2" always c.battery >= energy_to(dock) + 5 %; recover go_home; return when c.battery >= 80 %; }
+decision drive for Cart { advanced explore; period 100 ms; priority walls > charged; }
+)");
+    const Outcome o = rechecked();
+    EXPECT_EQ(o.status, exit_clean) << back << o.out << o.err;
+  }
+}
+
 // What is printed is never exceeded.
 TEST_F(Lasting, RunsEndWithinTheTimeOfALeg) {
   ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
