@@ -7,6 +7,8 @@
 #include <random>
 
 #include "compiler/geometry/bake.h"
+#include "compiler/recheck/straight.h"
+#include "tests/compiler/geometry/rooms.h"
 
 namespace rtac::recheck {
 namespace {
@@ -57,6 +59,29 @@ TEST(OnGrid, CellsOfAnyOutline) {
   }
   EXPECT_GT(clear, 10'000);
 }
+// A search tries every cell that the boundary passes through; few others are taken for one of them.
+TEST(OnGrid, CellsOfTheBoundaryAreKnown) {
+  std::mt19937 random(19);
+  int meets = 0, others = 0;
+  for (int i = 0; i < geometry::rooms_count(); ++i) {
+    const Region room = geometry::random_room(random);
+    const geometry::CellGrid known = geometry::bake(*geometry::snap_inside(room), 100).cells;
+    const auto edges = segments_of(room);
+    const auto grid = grid_of(edges, {known.cell_mm, known.origin.x_mm, known.origin.y_mm});
+    ASSERT_TRUE(grid);
+    ASSERT_EQ(grid->clearance.size(), known.clearance_mm_lo.size());
+    const Straight straight(edges, *grid, 0.15, false);
+    for (std::size_t at = 0; at < known.clearance_mm_lo.size(); ++at) {
+      const bool meets_it = known.clearance_mm_lo[at] == 0;
+      EXPECT_TRUE(!meets_it || straight.holds_some(at)) << i << ": " << at;
+      meets += meets_it ? 1 : 0;
+      others += known.clearance_mm_lo[at] < 0 && straight.holds_some(at) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(meets, 1000);
+  EXPECT_LT(others, meets / 2);
+}
+
 // The robot has the corner up to 1 mm elsewhere, however little it is off.
 TEST(OnGrid, ACornerThatIsHardlyOffTheGridIsOffIt) {
   const Rational hardly(1, 2'000'000'000);
