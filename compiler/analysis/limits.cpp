@@ -310,22 +310,18 @@ std::int64_t fastest_mmps(const ir::Body& b, std::int64_t pushed_mmps, std::int6
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us) {
   const ir::Body& b = decision.body;
   const std::int64_t t_us = horizon_us_max(b, lookahead_us) + decision.return_extra_us;
-  // theory, unequal stamps: the one sample may be new while the other is as old as it may be
-  const std::int64_t apart_ms = div_up(std::max(b.position_age_us, b.velocity_age_us), 1000);
-  const std::int64_t apart_mmps = div_up(b.accel_mmps2 * apart_ms, 1000);
   // Who rests there is measured there, and the decision sees a measurement to a millimetre: without
   // an error of its own a recovery would rest where it may never be given back.
   constexpr std::int64_t seen_mm = 2;
-  return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps, t_us) +
+  return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps(b), t_us) +
          std::max(b.position_error_mm, seen_mm);
 }
 
 std::int64_t claim_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
                                 std::int64_t lookahead_us) {
   const ir::Body& b = decision.body;
-  const std::int64_t apart_ms = div_up(std::max(b.position_age_us, b.velocity_age_us), 1000);
-  const std::int64_t apart_mmps = div_up(b.accel_mmps2 * apart_ms, 1000);
-  return disc_mm(b, motion, b.velocity_error_mmps + apart_mmps, horizon_us_max(b, lookahead_us)) +
+  return disc_mm(b, motion, b.velocity_error_mmps + apart_mmps(b),
+                 horizon_us_max(b, lookahead_us)) +
          b.position_error_mm;
 }
 
@@ -394,10 +390,8 @@ std::int64_t shown_speed_mmps(const ir::Decision& decision, const ir::Motion& mo
   const auto gained = [](std::int64_t accel_mmps2, std::int64_t us) {
     return div_up(accel_mmps2 * div_up(us, 1000), 1000);
   };
-  // theory, unequal stamps: the one sample may be new while the other is as old as it may be
-  const std::int64_t apart_us = std::max(b.position_age_us, b.velocity_age_us);
   const std::int64_t seen_mmps =
-      2 * b.velocity_error_mmps + corner_mmps + width_mmps + gained(b.accel_mmps2, apart_us);
+      2 * b.velocity_error_mmps + corner_mmps + width_mmps + apart_mmps(b);
   return std::min(std::max(motion.speed_mmps, seen_mmps),
                   seen_mmps + gained(motion.accel_mmps2, b.position_age_us));
 }

@@ -30,6 +30,11 @@ std::int64_t horizon_us_max(const ir::Body& body, std::int64_t lookahead_us) {
   return body.position_age_us + lookahead_us + body.latency_us + body.jitter_us;
 }
 
+std::int64_t apart_mmps(const ir::Body& body) {
+  const std::int64_t apart_ms = div_up(std::max(body.position_age_us, body.velocity_age_us), 1000);
+  return div_up(body.accel_mmps2 * apart_ms, 1000);
+}
+
 std::int64_t way_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
                     std::int64_t t_us) {
   const Speeds s = speeds(body, motion, measured_mmps, t_us);

@@ -12,6 +12,10 @@ namespace rtac::analysis {
 // Longest time from the stamp of a sample until a recovery acts: sample age, look-ahead, latency.
 std::int64_t horizon_us_max(const ir::Body& body, std::int64_t lookahead_us);
 
+// By how much a velocity may have changed between its stamp and that of the position, in mm/s: the
+// one sample may be new while the other is as old as it may be (theory, unequal stamps).
+std::int64_t apart_mmps(const ir::Body& body);
+
 // Longest way within `t_us` that a measured speed leaves possible.
 std::int64_t way_mm(const ir::Body& body, const ir::Motion& motion, std::int64_t measured_mmps,
                     std::int64_t t_us);

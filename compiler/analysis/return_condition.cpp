@@ -141,8 +141,9 @@ class Judge {
     const auto way = way_of(block, *compare);
     if (!way) return std::nullopt;
     const ir::Body& b = decision_.body;
-    const std::int64_t within = parked_mm + 2 * b.position_error_mm +
-                                way_mm(b, motion_, b.velocity_error_mmps, b.position_age_us);
+    const std::int64_t within =
+        seen_off_mm() + b.position_error_mm +
+        way_mm(b, motion_, b.velocity_error_mmps + apart_mmps(b), b.position_age_us);
     const auto price = price_at(module_, way->site, within);
     if (!price) return std::nullopt;
     if (*price >= ir::no_way) return cramped(way->site, within, source);
@@ -190,8 +191,9 @@ class Judge {
     const ir::Body& b = decision_.body;
     const std::int64_t t_us =
         horizon_us_max(b, monitor_.lookahead.duration_us) + decision_.return_extra_us;
-    const std::int64_t within = parked_mm + b.position_error_mm - b.radius_mm +
-                                disc_mm(b, decision_.motions[0], b.velocity_error_mmps, t_us);
+    const std::int64_t within =
+        seen_off_mm() - b.radius_mm +
+        disc_mm(b, decision_.motions[0], b.velocity_error_mmps + apart_mmps(b), t_us);
     const auto price = price_at(module_, site, within);
     if (!price) return std::nullopt;
     if (*price >= ir::no_way) return cramped(site, within, block[id].source);
@@ -220,6 +222,11 @@ class Judge {
   }
 
  private:
+  // How far off its site a robot that rests there is measured at most.
+  std::int64_t seen_off_mm() const {
+    const ir::Body& b = decision_.body;
+    return std::max(parked_mm, rests_off_mm(b) + b.position_error_mm) + b.position_error_mm;
+  }
   std::int64_t return_horizon_us() const {
     return horizon_us_max(decision_.body, monitor_.lookahead.duration_us) +
            decision_.return_extra_us;

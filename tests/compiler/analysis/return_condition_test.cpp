@@ -19,6 +19,15 @@ std::string fence_returns(const std::string& condition) {
 std::string charge_returns(const std::string& condition) {
   return edited(probe(), "return  when r.battery >= 90 %;", "return  when " + condition + ";");
 }
+// "(x m, y m)" of the site that would do.
+std::string place_offered(const driver::Compilation& c) {
+  for (const auto& d : c.diagnostics.all()) {
+    const std::size_t from = d.help.find('('), to = d.help.find(") works");
+    if (d.code != Code::return_set_empty || to == std::string::npos) continue;
+    return d.help.substr(from, to - from + 1);
+  }
+  return "";
+}
 bool is_refused(const std::string& text) {
   const auto c = compiled(text);
   EXPECT_EQ(has(*c, Code::return_set_empty), c->diagnostics.has_errors()) << reports(*c);
@@ -263,6 +272,44 @@ TEST(ReturnCondition, APropertyThatHoldsNowhereIsNamed) {
             std::string::npos);
 }
 
+// Where the velocity is measured, and the position is as old as it may be, a robot at rest may have
+// driven in between: from all that it may then reach a way has to be known. With equal stamps it is
+// less, and control would be given back by luck alone.
+TEST(ReturnCondition, ASiteHasAWayFromAllThatUnequalStampsLeaveOpen) {
+  const auto text = [](const std::string& dock) {
+    return R"(spec stamps;
+zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (22 m, 5 m), (16 m, 17 m), (3 m, 11 m)];
+site dock = )" +
+           dock + R"(;
+robot Bot {
+  body radius 30 cm;
+  motion unicycle { speed <= 0.9 m/s; turn <= 1.5 rad/s; accel <= 0.8 m/s^2; brake >= 1.2 m/s^2;
+                    turn_accel <= 4 rad/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense heading : angle error 2 deg max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  sense battery : ratio error 1 % max_age 2 s;
+  output drive : twist;
+  latency 50 ms;
+  energy { drive <= 0.3 %/m; idle <= 0.01 %/s; drain <= 0.5 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 8 m; }
+}
+fleet bot : Bot;
+controller run : advanced for Bot extern;
+controller home : safe for Bot = route to dock within yard speed 0.5 m/s;
+monitor charge for r : Bot { "R1: home" always r.battery >= energy_to(dock) + 5 %; recover home; return when r.battery >= 80 %; }
+decision drive for Bot { advanced run; period 100 ms; priority charge; }
+)";
+  };
+  for (const char* dock : {"(20.075 m, 5.305 m)", "(20 m, 5.33 m)"}) {
+    const auto c = compiled(text(dock));
+    ASSERT_TRUE(has(*c, Code::return_set_empty)) << dock << "\n" << reports(*c);
+    EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
+    const std::string place = place_offered(*c);
+    EXPECT_FALSE(is_refused(text(place))) << place;
+  }
+  EXPECT_FALSE(is_refused(text("(19.7 m, 5.5 m)")));
+}
+
 // A dock so near the boundary that no way is known from beside it: no charge helps, and no nearer
 // site. The place that is offered works.
 TEST(ReturnCondition, ASiteWithoutAWayFromAllAroundItIsRefusedWithAPlaceThatHasOne) {
@@ -291,13 +338,7 @@ decision gate for Bot { advanced job; period 100 ms; priority charge; }
   const auto c = compiled(text("(2 m, 1.9 m)"));
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
   EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
-  std::string place;
-  for (const auto& d : c->diagnostics.all()) {
-    if (d.code != Code::return_set_empty) continue;
-    const std::size_t from = d.help.find('('), to = d.help.find(") works");
-    ASSERT_NE(to, std::string::npos) << d.help;
-    place = d.help.substr(from, to - from + 1);
-  }
+  const std::string place = place_offered(*c);
   EXPECT_FALSE(is_refused(text(place))) << place;
 }
 
