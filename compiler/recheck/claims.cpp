@@ -9,6 +9,7 @@
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/leaving.h"
 #include "compiler/recheck/parting.h"
+#include "compiler/recheck/priced.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
@@ -658,10 +659,14 @@ Found Claims::ways(const Values& v) {
   const auto found = without_way(*region, {*cell, *x, *y}, spec_[d->kind].radius.value,
                                  milli(*route), milli(*back), sites);
   if (std::holds_alternative<BadCells>(found)) return wrong("the cells are not those of the zone");
-  const auto* const from = std::get_if<geometry::Point>(&found);
-  if (from == nullptr) return led_in(*d, *m, *zone, {*cell, *x, *y}, milli(*route));
-  return wrong("from (" + to_decimal(from->x) + " m, " + to_decimal(from->y) +
-               " m) no way leads back");
+  if (const auto* const from = std::get_if<geometry::Point>(&found)) {
+    return wrong("from (" + to_decimal(from->x) + " m, " + to_decimal(from->y) +
+                 " m) no way leads back");
+  }
+  if (auto doubt = check_priced(spec_, *d, *this, *m, *region, {*cell, *x, *y}, milli(*route))) {
+    return doubt;
+  }
+  return led_in(*d, *m, *zone, {*cell, *x, *y}, milli(*route));
 }
 
 Found Claims::lasts(const Values& v) {

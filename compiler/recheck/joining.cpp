@@ -30,6 +30,7 @@ class Joins {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         if (clearance(column, row) >= enough() + grid_.less) continue;
+        if (limits_.of && !limits_.of(index(column, row))) continue;
         auto way = longest_from(column, row);
         if (!way && limits_.straight) way = limits_.straight(index(column, row));
         if (!way) {
@@ -183,6 +184,10 @@ class Joins {
           if (c < 0 || c >= columns_ || clearance(c, r) < least - table_m) continue;
           ++tested;
           if (limits_.rest[index(c, r)] < 0) continue;
+          if (limits_.middles_within &&
+              apart(middle(box(c, r)), middle(box(column, row))) > *limits_.middles_within) {
+            continue;
+          }
           of_ring.push_back(
               {middle(box(c, r)), clearance(c, r), limits_.rest[index(c, r)], off <= rings_surely});
         }

@@ -21,6 +21,8 @@ struct JoiningLimits {
   std::vector<double> rest;
   // From a cell where no way begins, how long a leg to where ways end is; nullopt: there is none.
   std::function<std::optional<double>(std::size_t)> straight;
+  std::function<bool(std::size_t)> of{};   // the cells that are asked about; none: all
+  std::optional<double> middles_within{};  // of a leg's two cells: none is looked for farther off
 };
 struct Joining {
   std::optional<std::size_t> apart;  // a cell with a place from which none is known to begin

@@ -210,4 +210,11 @@ Rational cruising_clearance(const Numbers& n, const Rational& speed, const Ratio
   return disc(n, seen * horizon_of(n, ahead), seen) + n.position_error;
 }
 
+// The stamps of both samples may lie apart, as far as either may be old.
+Rational moved_at_rest(const Numbers& n, const Rational& accel) {
+  const Rational apart = n.change * std::max(n.position_age, n.velocity_age);
+  const Rational first = std::min(n.speed, Rational(2 * n.velocity_error + apart));
+  return first * n.position_age + accel * n.position_age * n.position_age / 2;
+}
+
 }  // namespace rtac::recheck

@@ -44,5 +44,7 @@ Rational resting_clearance(const Numbers& n, const Rational& accel, const Ration
 // The same of one that drives at `speed`, which a look-ahead by the limits of its recovery passes,
 // without what steering leaves beside its leg.
 Rational cruising_clearance(const Numbers& n, const Rational& speed, const Rational& ahead);
+// How far a robot that is measured to be at rest may have driven since its position was, at most.
+Rational moved_at_rest(const Numbers& n, const Rational& accel);
 
 }  // namespace rtac::recheck
