@@ -450,7 +450,7 @@ class Judge {
     if (!room) return std::nullopt;
     const std::string name = "`" + module_[site].name + "`";
     const std::string zone = "`" + module_[module_[site].zone].name + "`";
-    const auto text = [](const PlaceMm& p) {
+    const auto text = [](const auto& p) {
       return "(" + metres(p.x_mm) + ", " + metres(p.y_mm) + ")";
     };
     diag::Diagnostic d = finding(source);
@@ -460,11 +460,18 @@ class Judge {
                                          "before its recovery acts, up to " +
                                          metres(within_mm) + " from there in x and in y; " +
                                          "near the boundary of " + zone + " there is none"});
-    d.help = room->works ? name + " at " + text(*room->works) + " works"
-                         : "no site in " + zone +
-                               " works: widen it, or lower `ahead`, `speed` or "
-                               "`accel`";
+    const std::string none =
+        "no site in " + zone + " works: widen it, or lower `ahead`, `speed` or `accel`";
+    const auto works = roomy_place(*room, site, d);
+    d.help = works ? name + " at " + text(works->at) + " works" : none;
     return d;
+  }
+  std::optional<OtherPlace> roomy_place(const Cramped& room, ir::SiteIndex site,
+                                        const diag::Diagnostic& of) const {
+    if (of_ == nullptr || of_->trials == nullptr) return std::nullopt;  // nobody reads it
+    const sema::Site::Place* const written = written_place(of_->spec, module_[site], room.at);
+    if (written == nullptr) return std::nullopt;
+    return place_that_works(*of_->trials, fault_of(of.code, of.range), written->range, room.roomy);
   }
   // Measured to stand, this instant, it may still have the error of its velocity: below that no
   // sample shows it. Up to what every sample shows it is a matter of luck, which P2b does not

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "compiler/analysis/sides.h"
+#include "compiler/support/rational.h"
 
 namespace rtac::analysis {
 namespace {
@@ -34,6 +38,9 @@ class Blocked {
     const std::int64_t low = row(p.y_mm - radius_mm), high = row(p.y_mm + radius_mm) + 1;
     return sum(right, high) - sum(left, high) - sum(right, low) + sum(left, low) > 0;
   }
+  [[nodiscard]] std::int64_t clearance_mm(std::int64_t column, std::int64_t row) const {
+    return cells_.clearance_mm_lo[std::size_t(row * cells_.columns + column)];
+  }
   [[nodiscard]] PlaceMm middle(std::int64_t column, std::int64_t row) const {
     const std::int64_t half = cells_.cell_mm / 2;
     return {cells_.origin_x_mm + column * cells_.cell_mm + half,
@@ -59,24 +66,69 @@ bool goes_to_charge(const sema::RobotKind& kind, const sema::Spec& spec, const i
          module[way.site].name == spec[kind.energy->charge_at].name;
 }
 
+const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTable& site,
+                                       const ir::SiteTable::Place& place) {
+  const auto of = std::ranges::find(spec.sites, site.name, &sema::Site::name);
+  if (of == spec.sites.end()) return nullptr;
+  const auto is_of_robot = [&](const sema::Site::Place& p) {
+    return !p.robot || spec[*p.robot].name == place.robot;
+  };
+  const auto found = std::ranges::find_if(of->places, is_of_robot);
+  return found == of->places.end() ? nullptr : &*found;
+}
+
+std::optional<OtherPlace> place_that_works(Trials& trials, const Fault& fault,
+                                           const SourceRange& written,
+                                           std::vector<OtherPlace> all) {
+  sema::Site::Place* place = nullptr;
+  for (sema::Site& site : trials.spec().sites) {
+    const auto found = std::ranges::find(site.places, written, &sema::Site::Place::range);
+    if (found != site.places.end()) place = &*found;
+  }
+  if (place == nullptr || all.empty()) return std::nullopt;
+  const sema::Point from = place->position;
+  const std::int64_t x_mm = floor_to_int(Rational(from.x * 1000));
+  const std::int64_t y_mm = floor_to_int(Rational(from.y * 1000));
+  std::ranges::stable_sort(all, {}, [&](const OtherPlace& p) {
+    const std::int64_t dx = p.at.x_mm - x_mm, dy = p.at.y_mm - y_mm;
+    return dx * dx + dy * dy;  // coordinates differ by 2^30 at most
+  });
+  std::int64_t clearest_mm = -1;
+  std::erase_if(all, [&](const OtherPlace& p) {
+    if (p.clearance_mm <= clearest_mm) return true;
+    clearest_mm = p.clearance_mm;
+    return false;
+  });
+  const auto last = static_cast<std::int64_t>(all.size());
+  const Dial dial{"place " + std::to_string(written.begin) + " of " +
+                      std::to_string(static_cast<int>(fault.code)) + " at " +
+                      std::to_string(fault.begin),
+                  0, last,
+                  [&](std::int64_t k) {
+                    if (k < 1 || k > last) return false;
+                    const PlaceMm& p = all[static_cast<std::size_t>(k - 1)].at;
+                    place->position = {metres_of(p.x_mm), metres_of(p.y_mm)};
+                    return true;
+                  },
+                  [&] { place->position = from; }};
+  const auto works = trials.nearest(dial, 1, fault);
+  if (!works) return std::nullopt;
+  return all[static_cast<std::size_t>(*works - 1)];
+}
+
 std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site,
                                     std::int64_t radius_mm) {
   const ir::Cells& cells = module[module[site].zone].cells;
   for (const ir::SiteTable::Place& place : module[site].places) {
     if (place.cost_ppm.empty()) continue;
     Blocked blocked(cells, place.cost_ppm);
-    Cramped found{{place.x_mm, place.y_mm}, {}};
-    if (!blocked.around(found.at, radius_mm)) continue;
-    std::int64_t least = 0;
+    Cramped found{place, {}};
+    if (!blocked.around({place.x_mm, place.y_mm}, radius_mm)) continue;
     for (std::int64_t row = 0; row < cells.rows; ++row) {
       for (std::int64_t column = 0; column < cells.columns; ++column) {
         const PlaceMm p = blocked.middle(column, row);
-        const std::int64_t dx = p.x_mm - found.at.x_mm, dy = p.y_mm - found.at.y_mm;
-        const std::int64_t square = dx * dx + dy * dy;  // coordinates differ by 2^30 at most
-        if (found.works && square >= least) continue;
-        if (blocked.around(p, radius_mm)) continue;
-        found.works = p;
-        least = square;
+        if (!blocked.around(p, radius_mm))
+          found.roomy.push_back({p, blocked.clearance_mm(column, row)});
       }
     }
     return found;

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "compiler/analysis/trials.h"
 #include "compiler/analysis/ways_in.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
@@ -20,10 +22,23 @@ inline std::int64_t rests_off_mm(const ir::Body& body) {
   return body.end_reach_mm + body.sway_mm;
 }
 
+// Where the place of a robot is written, which may be one for all of them. Null: nowhere.
+const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTable& site,
+                                       const ir::SiteTable::Place& place);
+// The middle of a cell, and how clear the cell is.
+struct OtherPlace {
+  PlaceMm at;
+  std::int64_t clearance_mm = 0;
+};
+// Of these the nearest to the written one with which the whole specification works, `fault` being
+// gone (trials.h), as far as whatever works has less clear ones alone nearer by.
+std::optional<OtherPlace> place_that_works(Trials& trials, const Fault& fault,
+                                           const SourceRange& written, std::vector<OtherPlace> all);
+
 // A place of a site that has cells without a way home around it.
 struct Cramped {
-  PlaceMm at;
-  std::optional<PlaceMm> works;  // the nearest place that has none; none: there is no such place
+  const ir::SiteTable::Place& at;
+  std::vector<OtherPlace> roomy;  // of all cells those that have none
 };
 // Of the cells within `radius_mm` of a place of the site, in x and y, each has to have a way.
 std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site,

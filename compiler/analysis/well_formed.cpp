@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -240,7 +239,7 @@ class WellFormed {
     too_near(of, way);
     for (std::size_t p = 0; p < site.places.size(); ++p) {
       const ir::SiteTable::Place& place = site.places[p];
-      const SourceRange range = source_of(kind, way.site, p);
+      const SourceRange range = source_of(way.site, p);
       const auto cell = cell_at(zone.cells, place.x_mm, place.y_mm);
       const std::int32_t clearance = cell ? zone.cells.clearance_mm_lo[*cell] : -1;
       const std::string what = "`" + site.name + "(" + place.robot + ")`";
@@ -248,7 +247,7 @@ class WellFormed {
       const std::int64_t give_back = way.return_clearance_mm;
       const auto misplaced = [&](Code code, std::string message) {
         report(monitor, code, range, std::move(message),
-               nearest_place(of, way, place, clearance, fault_of(code, range)));
+               other_place(of, way, place, clearance, fault_of(code, range)));
       };
       if (clearance < 0) {
         misplaced(Code::site_outside_zone, what + " lies outside `" + zone.name + "`");
@@ -282,7 +281,7 @@ class WellFormed {
         const auto name = [&](const auto& at) { return "`" + site.name + "(" + at.robot + ")`"; };
         diag::Diagnostic d{};
         d.code = Code::sites_too_near;
-        d.range = source_of(of.written.kind, way.site, p);
+        d.range = source_of(way.site, p);
         d.message = name(one) + " and " + name(other) + " are too near for two robots to be there";
         d.label = "about " + metres(std::llround(std::sqrt(static_cast<double>(square)))) +
                   " from " + name(one);
@@ -313,7 +312,7 @@ class WellFormed {
     if (!charges || !goes_to_charge(spec_[kind], spec_, module_, way) || off_mm <= dock_reach_mm) {
       return;
     }
-    const SourceRange range = source_of(kind, way.site, 0);
+    const SourceRange range = source_of(way.site, 0);
     const auto others =
         repairs(of.written, of.trials, fault_of(Code::site_not_returnable, range),
                 [](const Trial& t) { return rests_off_mm(t.decision.body) <= dock_reach_mm; });
@@ -333,36 +332,41 @@ class WellFormed {
     return text + " in its cell of " + metres(cells.cell_mm) + " (so wide in a zone so large)";
   }
 
-  // The centre of the nearest cell that would do.
-  std::string nearest_place(const Decided& of, const ir::Recovery& way,
-                            const ir::SiteTable::Place& from, std::int64_t clear_mm,
-                            const Fault& fault) const {
+  // The centre of a cell near there that would do.
+  std::string other_place(const Decided& of, const ir::Recovery& way,
+                          const ir::SiteTable::Place& from, std::int64_t clear_mm,
+                          const Fault& fault) const {
     const ir::ZoneTable& zone = module_[way.zone];
     const std::int64_t clearance_mm = std::max(way.route_clearance_mm, way.return_clearance_mm);
     const ir::Cells& cells = zone.cells;
-    std::int64_t best = std::numeric_limits<std::int64_t>::max();
-    std::string where;
+    std::vector<OtherPlace> all;
     for (std::int64_t i = 0; i < std::int64_t{cells.columns} * cells.rows; ++i) {
-      if (cells.clearance_mm_lo[static_cast<std::size_t>(i)] < clearance_mm) continue;
+      const std::int64_t clear = cells.clearance_mm_lo[static_cast<std::size_t>(i)];
+      if (clear < clearance_mm) continue;
       const std::int64_t half = cells.cell_mm / 2;
-      const std::int64_t x = cells.origin_x_mm + i % cells.columns * cells.cell_mm + half;
-      const std::int64_t y = cells.origin_y_mm + i / cells.columns * cells.cell_mm + half;
-      const std::int64_t dx = x - from.x_mm, dy = y - from.y_mm;
-      if (dx * dx + dy * dy >= best) continue;
-      best = dx * dx + dy * dy;
-      where = place(x, y);
+      all.push_back({{cells.origin_x_mm + i % cells.columns * cells.cell_mm + half,
+                      cells.origin_y_mm + i / cells.columns * cells.cell_mm + half},
+                     clear});
     }
-    if (where.empty()) return no_place(of, way, from, clearance_mm, clear_mm, fault);
-    return "the nearest place with a clearance of " + metres(clearance_mm) + " is " + where;
+    const std::string none =
+        "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
+    if (of.trials == nullptr) return none;  // nobody reads it
+    if (all.empty()) return none + ": " + no_place(of, way, from, clearance_mm, clear_mm, fault);
+    const auto* const written = written_place(spec_, module_[way.site], from);
+    const auto works = written != nullptr
+                           ? place_that_works(*of.trials, fault, written->range, std::move(all))
+                           : std::nullopt;
+    if (works) {
+      return "the place " + place(works->at.x_mm, works->at.y_mm) + " works";
+    }
+    return "no place of `" + zone.name +
+           "` was found that works: " + no_place(of, way, from, clearance_mm, clear_mm, fault);
   }
 
   // A wider zone, or other numbers with which the cell of the site, which is so clear, would do.
   std::string no_place(const Decided& of, const ir::Recovery& way, const ir::SiteTable::Place& from,
                        std::int64_t clearance_mm, std::int64_t clear_mm, const Fault& fault) const {
     const ir::ZoneTable& zone = module_[way.zone];
-    const std::string none =
-        "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
-    if (of.trials == nullptr) return none;  // nobody reads it
     const auto others = repairs(of.written, of.trials, fault, [&](const Trial& t) {
       const Rational speed(static_cast<long>(way.speed_mmps), 1000);
       const ir::Motion motion =
@@ -379,8 +383,8 @@ class WellFormed {
     const auto grown = guess_mm ? growth_that_works(*of.trials, way.zone, exact_.flat(way.zone),
                                                     *guess_mm, 2 * clearance_mm, fault)
                                 : distance_that_works(*of.trials, way.zone, clearance_mm, fault);
-    if (!grown && others.empty()) return none + ": another site and a wider zone are needed";
-    return none + ": " + grown.value_or("") + (grown && !others.empty() ? "; or " : "") +
+    if (!grown && others.empty()) return "another site and a wider zone are needed";
+    return grown.value_or("") + (grown && !others.empty() ? "; or " : "") +
            (others.empty() ? "" : joined(others) + " works");
   }
 
@@ -419,17 +423,9 @@ class WellFormed {
     }
     return {};
   }
-  SourceRange source_of(sema::KindId kind, ir::SiteIndex index, std::size_t place) const {
-    const auto& of_kind = tables_.sites[static_cast<std::uint32_t>(kind)];
-    for (std::size_t s = 0; s < of_kind.size(); ++s) {
-      if (of_kind[s] != index) continue;
-      const auto& places = spec_.sites[s].places;
-      const std::string& robot = module_[index].places[place].robot;
-      for (const auto& p : places) {
-        if (!p.robot || spec_[*p.robot].name == robot) return p.range;
-      }
-    }
-    return {};
+  SourceRange source_of(ir::SiteIndex index, std::size_t place) const {
+    const auto* const written = written_place(spec_, module_[index], module_[index].places[place]);
+    return written != nullptr ? written->range : SourceRange{};
   }
 
   const sema::Spec& spec_;

@@ -279,8 +279,7 @@ std::vector<Offer> offers() {
        }},
       {"within a zone that is `[^`]*(?:grow|shrink)\\(\\w+, " + number + " m\\)` works", "m", 1000,
        Beyond::less, moved_within},
-      {"the nearest place with a clearance of [0-9.]+ m is (\\([0-9.]+ m, [0-9.]+ m\\))", "", 0,
-       Beyond::nothing,
+      {"the place (\\([0-9.]+ m, [0-9.]+ m\\)) works", "", 0, Beyond::nothing,
        [](const About& a, const std::string& value) {
          const std::regex re("\\([^()]*\\);$");
          const Span s = statement_at(a.text, a.finding.begin);

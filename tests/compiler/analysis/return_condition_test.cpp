@@ -20,10 +20,10 @@ std::string charge_returns(const std::string& condition) {
   return edited(probe(), "return  when r.battery >= 90 %;", "return  when " + condition + ";");
 }
 // "(x m, y m)" of the site that would do.
-std::string place_offered(const driver::Compilation& c) {
+std::string place_offered(const driver::Compilation& c, Code code = Code::return_set_empty) {
   for (const auto& d : c.diagnostics.all()) {
     const std::size_t from = d.help.find('('), to = d.help.find(") works");
-    if (d.code != Code::return_set_empty || to == std::string::npos) continue;
+    if (d.code != code || to == std::string::npos) continue;
     return d.help.substr(from, to - from + 1);
   }
   return "";
@@ -272,15 +272,11 @@ TEST(ReturnCondition, APropertyThatHoldsNowhereIsNamed) {
             std::string::npos);
 }
 
-// Where the velocity is measured, and the position is as old as it may be, a robot at rest may have
-// driven in between: from all that it may then reach a way has to be known. With equal stamps it is
-// less, and control would be given back by luck alone.
-TEST(ReturnCondition, ASiteHasAWayFromAllThatUnequalStampsLeaveOpen) {
-  const auto text = [](const std::string& dock) {
-    return R"(spec stamps;
+std::string yard_with(const std::string& dock) {
+  return R"(spec stamps;
 zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (22 m, 5 m), (16 m, 17 m), (3 m, 11 m)];
 site dock = )" +
-           dock + R"(;
+         dock + R"(;
 robot Bot {
   body radius 30 cm;
   motion unicycle { speed <= 0.9 m/s; turn <= 1.5 rad/s; accel <= 0.8 m/s^2; brake >= 1.2 m/s^2;
@@ -299,15 +295,32 @@ controller home : safe for Bot = route to dock within yard speed 0.5 m/s;
 monitor charge for r : Bot { "R1: home" always r.battery >= energy_to(dock) + 5 %; recover home; return when r.battery >= 80 %; }
 decision drive for Bot { advanced run; period 100 ms; priority charge; }
 )";
-  };
+}
+
+// Where the velocity is measured, and the position is as old as it may be, a robot at rest may have
+// driven in between: from all that it may then reach a way has to be known. With equal stamps it is
+// less, and control would be given back by luck alone.
+TEST(ReturnCondition, ASiteHasAWayFromAllThatUnequalStampsLeaveOpen) {
   for (const char* dock : {"(20.075 m, 5.305 m)", "(20 m, 5.33 m)"}) {
-    const auto c = compiled(text(dock));
+    const auto c = compiled(yard_with(dock));
     ASSERT_TRUE(has(*c, Code::return_set_empty)) << dock << "\n" << reports(*c);
     EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
     const std::string place = place_offered(*c);
-    EXPECT_FALSE(is_refused(text(place))) << place;
+    EXPECT_FALSE(is_refused(yard_with(place))) << place;
   }
-  EXPECT_FALSE(is_refused(text("(19.7 m, 5.5 m)")));
+  EXPECT_FALSE(is_refused(yard_with("(19.7 m, 5.5 m)")));
+}
+
+// A place that is clear enough, and no more than that, may have none.
+TEST(ReturnCondition, ASiteThatIsOfferedHasAWayFromAllAroundIt) {
+  for (const auto& [dock, code] : {std::pair{"(20.182 m, 4.928 m)", Code::site_not_returnable},
+                                   {"(19.949 m, 7.333 m)", Code::site_unreachable}}) {
+    const auto c = compiled(yard_with(dock));
+    ASSERT_TRUE(has(*c, code)) << dock << "\n" << reports(*c);
+    const std::string place = place_offered(*c, code);
+    const auto there = compiled(yard_with(place));
+    EXPECT_FALSE(there->diagnostics.has_errors()) << place << "\n" << reports(*there);
+  }
 }
 
 // A dock so near the boundary that no way is known from beside it: no charge helps, and no nearer
