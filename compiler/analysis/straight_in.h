@@ -34,8 +34,8 @@ std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step);
 bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence);
 
 // Whether that way stays, of each `or`, in one of these zones or another, of which each body in the
-// zone of the step lies in one: the places of bodies in them are convex, or there is no such way, or
-// each one stays in them that may be taken from where a body may be in one of them.
+// zone of the step lies in one: the places of bodies in them are convex, or there is no such way,
+// or each one stays in them that may be taken from where a body may be in one of them.
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,
                        const std::vector<std::vector<ir::ZoneIndex>>& either);
 

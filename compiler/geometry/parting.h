@@ -31,8 +31,8 @@ struct Parting {
 // Of every two places of the zone where robots can stand nearer than `apart_mm`, whether the search
 // for ways finds one for the first robot or else one for the second: to a cell at `goal_mm` from
 // the other robot, straight to a cell near the robot and then from cell to cell, no piece of it
-// leading nearer to where the other one stands. Of cells only `clearance_mm_lo` counts, of legs what
-// they keep off edges.
+// leading nearer to where the other one stands. Of cells only `clearance_mm_lo` counts, of legs
+// what they keep off edges.
 Parting parting(const std::vector<EdgeRow>& edges, const CellGrid& cells,
                 const PartingQuery& query);
 

@@ -2,7 +2,7 @@
 ; Where a robot that stands passes the return condition in spite of noise: its centre has the true
 ; clearance e_p + R(e_v + A apart), R(n) = e_p + S + s1^2 / (2 (b - d)) + tube being the radius of the
 ; disc with the measured speed n, `apart` the most that two stamps may be apart.
-; code: compiler/analysis/limits.cpp | return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps, t_us) + std::max(b.position_error_mm, seen_mm);
+; code: compiler/analysis/limits.cpp | return disc_mm(b, decision.motions[0], b.velocity_error_mmps + apart_mmps(b), t_us) + std::max(b.position_error_mm, seen_mm);
 
 ; step: a boundary is no more than e_p nearer to the measured place than to the true one
 ; mistake: s/(assert (<= off ep))/(assert (<= off (* 2 ep)))/

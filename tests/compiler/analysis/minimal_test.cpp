@@ -317,6 +317,7 @@ const std::vector<Elsewhere> tried_elsewhere = {
     {"`distance\\(r, room\\) >= 0 m` works, which says", "no number"},
     {"`ahead 200 ms, 2 waypoints`", "an example"},
     {"tracking <= 10 cm", "an example"},
+    {"`retreat within Z speed 0.1 m/s`", "an example"},
     {"in `[^`]*` other errors are left", "Repairs.ANumberThatMendsHalfOfAMonitorIsNotOffered"},
     {"no place of a zone that is `[^`]*` has a clearance of [0-9.]+ m", "what is"},
     {"a wider zone and a latency of at most [0-9.]+ ms are needed", "not alone"},
