@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/effort.h"
@@ -74,7 +75,7 @@ class Deriver {
     if (!judge) return found;
     found.complete = derived && worth(found);
     if (!found.complete) return found;
-    found.effort *= 2;
+    found.effort_of_shown = 2 * std::exchange(found.effort, 0);
     found.all.merge(judge(spec, std::move(*derived), aside));
     return found;
   }

@@ -8,7 +8,7 @@
 
 namespace rtac::analysis {
 
-// In steps of about 7 us on a machine of 2020: what is looked at of each cell that a recovery
+// In steps of some microseconds: what is looked at of each cell that a recovery
 // drives over; and, where zones are evaluated anew, of each edge from each cell.
 std::int64_t effort_of(const ir::Module& module, bool same_zones);
 

@@ -101,8 +101,9 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& wo
     }
     dial.restore();
     if (at->second) {
-      shown_ += at->second->complete ? 1 : 0;
-      (at->second->complete ? effort_of_shown_ : effort_) += at->second->effort;
+      shown_ += at->second->effort_of_shown > 0 ? 1 : 0;
+      effort_ += at->second->effort;
+      effort_of_shown_ += at->second->effort_of_shown;
     }
   }
   return at->second ? &*at->second : nullptr;

@@ -28,8 +28,9 @@ struct Fault {
 };
 struct Faults {
   std::set<Fault> all;
-  bool complete = true;     // what is not shown is among them
-  std::int64_t effort = 0;  // that it took to find them (effort.h)
+  bool complete = true;  // what is not shown is among them
+  // That it took to find them (effort.h): by the reports alone, or with what is shown.
+  std::int64_t effort = 0, effort_of_shown = 0;
 };
 Fault fault_of(diag::Code code, const std::optional<SourceRange>& range);
 Faults faults_of(const diag::Engine& diagnostics);

@@ -289,8 +289,9 @@ class WellFormed {
             asked_mm > 0 ? ", and monitors keep " + metres(asked_mm) + " between two of them" : "";
         d.notes.push_back(
             {std::nullopt, "bodies have a radius of " + metres(of.decision.body.radius_mm) + kept});
-        d.help = "places that are " + metres(need_mm) + " apart work";
+        d.help = "places at least " + metres(need_mm) + " apart are needed";
         if (!is_told_of_place(d)) diagnostics_.report(std::move(d));
+        break;  // of one place, of one other
       }
     }
   }
@@ -366,7 +367,6 @@ class WellFormed {
   // A wider zone, or other numbers with which the cell of the site, which is so clear, would do.
   std::string no_place(const Decided& of, const ir::Recovery& way, const ir::SiteTable::Place& from,
                        std::int64_t clearance_mm, std::int64_t clear_mm, const Fault& fault) const {
-    const ir::ZoneTable& zone = module_[way.zone];
     const auto others = repairs(of.written, of.trials, fault, [&](const Trial& t) {
       const Rational speed(static_cast<long>(way.speed_mmps), 1000);
       const ir::Motion motion =

@@ -20,6 +20,8 @@ struct SnappedZone {
   std::vector<std::vector<GridPoint>> rings;
 };
 
+// Whether all vertices of a region do.
+bool is_on_grid(const Region& region);
 // The largest snapped region found that is a subset of `region` (keep-in, the safe side),
 // re-verified exactly; a region already on the grid comes back unchanged. nullopt: nothing is left
 // or a coordinate exceeds +-2^29 mm.

@@ -70,21 +70,15 @@ std::array<Vec, 2> midst_of(const std::vector<std::array<Vec, 2>>& all) {
   });
 }
 
-// What is proved has to be found once more from exact outlines, of which cells beside slanting
-// edges are not known to the millimetre (recheck/grid.h): whether ways lead over those that are so
-// much clearer or less is left open. And legs lose what outlines differ by of what is forgiven
+// What is proved has to be found once more from exact outlines, of which cells are not known to the
+// millimetre where corners are off the grid (recheck/grid.h): whether ways lead over those that are
+// so much clearer or less is left open. And legs lose what outlines differ by of what is forgiven
 // them.
-bool slants(const EdgeRow& e) {
-  return e.a.x_mm != e.b.x_mm && e.a.y_mm != e.b.y_mm;
-}
 struct Unsure {
   std::int32_t clearance_mm = 0;
   double forgiven_mm = 7;
 };
-Unsure unsure_of(const std::vector<EdgeRow>& edges) {
-  constexpr Unsure beside_slanting{5, 2};
-  return std::ranges::any_of(edges, slants) ? beside_slanting : Unsure{};
-}
+constexpr Unsure off_the_grid{5, 2};
 
 class Search {
  public:
@@ -682,7 +676,7 @@ Parting parting(const std::vector<EdgeRow>& edges, const CellGrid& cells,
                 const PartingQuery& query) {
   thread_local Kept<std::pair<Drawn, PartingQuery>, Parting> kept;
   return kept.find({Drawn(edges, cells), query}, [&] {
-    const Unsure unsure = unsure_of(edges);
+    const Unsure unsure = query.off_grid ? off_the_grid : Unsure{};
     const Parting found = Search(edges, cells, query, unsure).run();
     if (found.how != Parting::How::stuck || unsure.clearance_mm == 0) return found;
     // a run begins where they are stuck as robots know the cells, if they are anywhere

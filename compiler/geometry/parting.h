@@ -17,7 +17,10 @@ struct PartingQuery {
   std::int32_t apart_mm = 0;      // at which they need not part
   std::int32_t goal_mm = 0;       // at which a way may end
   std::int32_t stands_mm = 0;     // with less clearance none is put at what is `stuck`
-  bool each_alone = false;        // pairs that look alike are each looked at, for tests
+  // Not all corners that were written are on the grid: the recheck does not know each cell to the
+  // millimetre, and is to find what is shown.
+  bool off_grid = false;
+  bool each_alone = false;  // pairs that look alike are each looked at, for tests
   friend bool operator==(const PartingQuery&, const PartingQuery&) = default;
 };
 

@@ -158,15 +158,6 @@ Region rounded(const Region& region) {
   return Region::of_rings(rings);
 }
 
-bool all_on_grid(const Region& region) {
-  bool all = true;
-  for_each_ring(region, [&](const Ring& ring) {
-    all = all &&
-          std::all_of(ring.begin(), ring.end(), [](const Point& p) { return on_grid(to_mm(p)); });
-  });
-  return all;
-}
-
 bool fits(const Region& region) {
   const auto in_range = [](const Rational& v) { return abs(v) * 1000 <= kLimitMm; };
   bool all = true;
@@ -204,9 +195,18 @@ Region frame_of(const Region& region) {
 
 }  // namespace
 
+bool is_on_grid(const Region& region) {
+  bool all = true;
+  for_each_ring(region, [&](const Ring& ring) {
+    all = all &&
+          std::all_of(ring.begin(), ring.end(), [](const Point& p) { return on_grid(to_mm(p)); });
+  });
+  return all;
+}
+
 std::optional<SnappedZone> snap_inside(const Region& region) {
   if (region.empty() || !fits(region)) return std::nullopt;
-  if (all_on_grid(region)) return to_zone(region);
+  if (is_on_grid(region)) return to_zone(region);
   for (const int step_mm : kShrinkStepsMm) {
     Rational step(step_mm, 1000);
     step.canonicalize();
@@ -214,7 +214,7 @@ std::optional<SnappedZone> snap_inside(const Region& region) {
     for (int round = 0; round < kRounds && !candidate.empty(); ++round) {
       const Region snapped = rounded(candidate);
       if (snapped.empty()) break;
-      if (all_on_grid(snapped) && region.contains(snapped)) return to_zone(snapped);
+      if (is_on_grid(snapped) && region.contains(snapped)) return to_zone(snapped);
       candidate = snapped.intersect(region);
     }
   }
@@ -223,19 +223,19 @@ std::optional<SnappedZone> snap_inside(const Region& region) {
 
 std::optional<SnappedZone> snap_around(const Region& region) {
   if (region.empty() || !fits(region)) return std::nullopt;
-  if (all_on_grid(region)) return to_zone(region);
+  if (is_on_grid(region)) return to_zone(region);
   // Rounded to the other side, most outlines do.
   std::vector<Ring> rings;
   for_each_ring(region,
                 [&](const Ring& ring) { rings.push_back(reversed(round_ring(reversed(ring)))); });
   const Region simple = Region::of_rings(rings);
-  if (fits(simple) && all_on_grid(simple) && simple.contains(region)) return to_zone(simple);
+  if (fits(simple) && is_on_grid(simple) && simple.contains(region)) return to_zone(simple);
   // What is around it, within a frame, is snapped from within.
   const Region frame = frame_of(region);
   const auto outside = snap_inside(frame.subtract(region));
   if (!outside) return std::nullopt;
   const Region around = frame.subtract(to_region(*outside));
-  if (!all_on_grid(around) || !around.contains(region)) return std::nullopt;
+  if (!is_on_grid(around) || !around.contains(region)) return std::nullopt;
   return to_zone(around);
 }
 

@@ -54,7 +54,8 @@ std::int64_t given_back_mm(const ir::Decision& d, const ir::Monitor& m) {
 
 // As robots are measured that hold, and with the room for errors that the runtime leaves (Aside):
 // who is given back need not part, nor who is as far off as others make way to.
-geometry::PartingQuery query_of(const ir::Decision& d, const ir::Monitor& m) {
+geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
+  const ir::Decision& d = s.decision;
   const auto mm = [](std::int64_t length_mm) {
     return static_cast<std::int32_t>(std::max<std::int64_t>(length_mm, 0));
   };
@@ -65,7 +66,8 @@ geometry::PartingQuery query_of(const ir::Decision& d, const ir::Monitor& m) {
           .nearest_mm = mm(2 * (d.body.radius_mm - error_mm)),
           .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, given_back_mm(d, m))),
           .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1),
-          .stands_mm = mm(d.body.radius_mm + error_mm)};
+          .stands_mm = mm(d.body.radius_mm + error_mm),
+          .off_grid = !is_on_grid(s, yield.zone)};
 }
 
 // It says nothing but how far from all others a robot keeps, at least.
@@ -283,7 +285,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.status = Status::unknown;
   o.method = "no proof";
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
-  const geometry::PartingQuery query = query_of(s.decision, s.decision.monitors[k]);
+  const geometry::PartingQuery query = query_of(s, s.decision.monitors[k]);
   const std::string more = more_than_two(s, k);
   NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
   const auto [other, told] = drives_instead(s, k);

@@ -35,6 +35,10 @@ struct Subject {
   }
 };
 
+// Whether the recheck knows each cell of a zone of the plane to the millimetre: no corner that was
+// written is off the grid, nor so far off that doubles do not tell them apart (recheck/grid.h).
+bool is_on_grid(const Subject& s, ir::ZoneIndex zone);
+
 // How P2b is refuted at a place where a robot is stuck.
 inline constexpr const char* by_geometry = "geometry";
 

@@ -212,12 +212,11 @@ bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& 
 }
 
 // Where no cell is clearly clearer than what is asked for the recheck does not find the way. "":
-// one is, or all edges run along the axes, where it knows clearances to the millimetre.
+// one is, or all corners are on the grid, where it knows clearances to the millimetre.
 std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
   const ir::ZoneTable& zone = s.module[last.zone];
-  const bool along_axes = std::ranges::all_of(zone.edges, ir::is_along_an_axis);
   const std::int64_t room_mm = analysis::room_mm(s.decision, last, zone);
-  if (!ir::goes_back(last.kind) || along_axes) return "";
+  if (!ir::goes_back(last.kind) || is_on_grid(s, last.zone)) return "";
   if (room_mm >= last.return_clearance_mm + analysis::recheck_misses_mm) return "";
   return "no cell of " + quoted(zone.name) + " has more than " + metres(room_mm) +
          " of clearance, and to be seen by the recheck it takes " +
@@ -509,6 +508,16 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
 }
 
 }  // namespace
+
+bool is_on_grid(const Subject& s, ir::ZoneIndex zone) {
+  constexpr std::int32_t far_mm = 10'000'000;
+  const auto is_near = [](const geometry::GridPoint& p) {
+    return std::abs(p.x_mm) < far_mm && std::abs(p.y_mm) < far_mm;
+  };
+  const ir::ZoneTable& table = s.module[zone];
+  return !table.has_height() && geometry::is_on_grid(s.exact(zone)) &&
+         std::ranges::all_of(analysis::edges_of(table), is_near, &geometry::EdgeRow::a);
+}
 
 bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged) {
   const analysis::HowItLies lies = how_it_lies(s);

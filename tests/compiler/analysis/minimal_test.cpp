@@ -329,7 +329,7 @@ const std::vector<Elsewhere> tried_elsewhere = {
      "what is needed"},
     {"zones (?:are needed )?that overlap by about [0-9.]+ m", "what is needed"},
     {"a zone that is `[^`]*` is needed, and not alone", "Offers.AZoneSuitsWhoSharesTheRecovery"},
-    {"places that are [0-9.]+ m apart work", "Sites.PlacesAreAsFarApartAsTwoRobotsMayBe"},
+    {"places at least [0-9.]+ m apart are needed", "Sites.PlacesAreAsFarApartAsTwoRobotsMayBe"},
     {"a window of more than [0-9.]+ s works", "Windows.OfAZoneToStayInAreLongEnough"},
     {"a zone in which a place has a clearance of [0-9.]+ m works",
      "Recoveries.AClaimIsLargeEnoughToBeSeenToHold"},

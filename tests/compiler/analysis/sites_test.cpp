@@ -43,7 +43,7 @@ int too_near(const driver::Compilation& c) {
 TEST(Sites, PlacesAreAsFarApartAsTwoRobotsMayBe) {
   const auto c = compiled(docks("2.7 m"));
   ASSERT_EQ(too_near(*c), 1) << reports(*c);
-  const std::string apart = number_in_help(*c, Code::sites_too_near, "that are ", "m apart");
+  const std::string apart = number_in_help(*c, Code::sites_too_near, "at least ", "m apart");
   EXPECT_EQ(apart, "0.9");
   const auto at = [](double apart_m) { return docks(std::to_string(2 + apart_m) + " m"); };
   EXPECT_EQ(too_near(*compiled(at(0.9))), 0);

@@ -146,18 +146,20 @@ TEST(Parting, NotWhereThereIsNoRoom) {
     EXPECT_LT(p.x_mm, 6500);
   }
 }
-// A corridor that is only just wide enough for a robot to stay in its midst: where some edge slants
-// what is proved must not rest on 2 mm, which are not seen when it is found once more.
+// A corridor that is only just wide enough for a robot to stay in its midst: where corners are off
+// the grid what is proved must not rest on 2 mm, which are not seen when it is found once more.
 TEST(Parting, CountsOnNoMoreClearanceThanIsFoundOnceMore) {
   constexpr PartingQuery lean{198, 200, 400, 700, 760};
   const Region rooms =
       box(0, 0, 3000, 3000).unite(box(6000, 0, 9000, 3000)).unite(box(3000, 1300, 6000, 1800));
   EXPECT_EQ(parting_in(rooms, lean).how, Parting::How::shown);
   const Region notched = rooms.unite(polygon({mm(9000, 2000), mm(9040, 2100), mm(9000, 2200)}));
-  EXPECT_EQ(parting_in(notched, lean).how, Parting::How::stuck);
-  PartingQuery narrow = lean;
-  narrow.clearance_mm = 190;
-  EXPECT_EQ(parting_in(notched, narrow).how, Parting::How::shown);
+  EXPECT_EQ(parting_in(notched, lean).how, Parting::How::shown);
+  PartingQuery off_grid = lean;
+  off_grid.off_grid = true;
+  EXPECT_EQ(parting_in(notched, off_grid).how, Parting::How::stuck);
+  off_grid.clearance_mm = 190;
+  EXPECT_EQ(parting_in(notched, off_grid).how, Parting::How::shown);
 }
 // In an aisle that is no wider than robots part by one before each wall finds none, beside the
 // other one: where a run can begin, and not in the middle of a cell that no body fits into.

@@ -143,27 +143,7 @@ TEST_F(Forged, WhoChargesRestsAtItsDock) {
 
 // Another dock, from beside which no way is known that a robot at rest there might have to take.
 TEST_F(Forged, FromAllAroundADockAWayIsKnown) {
-  prove(R"(spec stamps;
-zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (22 m, 5 m), (16 m, 17 m), (3 m, 11 m)];
-site dock = (19.7 m, 5.5 m);
-robot Bot {
-  body radius 30 cm;
-  motion unicycle { speed <= 0.9 m/s; turn <= 1.5 rad/s; accel <= 0.8 m/s^2; brake >= 1.2 m/s^2;
-                    turn_accel <= 4 rad/s^2; }
-  sense position : point error 2 cm max_age 100 ms;
-  sense heading : angle error 2 deg max_age 100 ms;
-  sense velocity : vector error 2 cm/s max_age 100 ms;
-  sense battery : ratio error 1 % max_age 2 s;
-  output drive : twist;
-  latency 50 ms;
-  energy { drive <= 0.3 %/m; idle <= 0.01 %/s; drain <= 0.5 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 8 m; }
-}
-fleet bot : Bot;
-controller run : advanced for Bot extern;
-controller home : safe for Bot = route to dock within yard speed 0.5 m/s;
-monitor charge for r : Bot { "R1: home" always r.battery >= energy_to(dock) + 5 %; recover home; return when r.battery >= 80 %; }
-decision drive for Bot { advanced run; period 100 ms; priority charge; }
-)");
+  prove(spec_text("tests/compiler/analysis/dock_in_a_corner.rta"));
   EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
   for (const char* dock : {"(20.075 m, 5.305 m)", "(20 m, 5.33 m)"}) {
     const std::string source = read("certificates/sources/spec.rta");
