@@ -222,6 +222,34 @@ TEST_F(Joining, OnTheRimOfARoundZoneItIsNotKnown) {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
   EXPECT_EQ(recheck_sealed_anew("shown").status, exit_clean);
 }
+// Along walls that slant between corners on the grid it knows them to the millimetre: what the
+// report claims with nothing to spare, it finds.
+TEST_F(Joining, OnTheRimOfASlantingZoneItIsKnown) {
+  const auto yard = [](const std::string& kept) {
+    return R"(spec rim;
+zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (13 m, 5 m), (4 m, 7 m)];
+robot Bot {
+  body radius 30 cm;
+  motion point { speed <= 0.6 m/s; accel <= 0.8 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output push : acceleration;
+  latency 50 ms;
+}
+fleet bot : Bot;
+controller run : advanced for Bot extern;
+controller back : safe for Bot = retreat within yard speed 0.4 m/s;
+monitor walls for r : Bot { "R1: off the walls" always clearance(r, yard) >= )" +
+           kept + R"(; recover back; }
+decision drive for Bot { advanced run; period 50 ms; priority walls; }
+)";
+  };
+  const Outcome o = verified(yard("3372 mm"), {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "walls"), Statuses{"proved"}) << o.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  const Outcome rim = verified(yard("3373 mm"), {"--format", "json"});
+  EXPECT_EQ(statuses(rim.out, "P2b", "walls"), Statuses{"unknown"}) << rim.out;
+}
 // Cells of tens of metres touch its boundary all round, and hold no way; a leg leads straight in.
 TEST_F(Joining, InAConvexZoneOfManyKilometresLegsLeadStraight) {
   const std::string octagon =
