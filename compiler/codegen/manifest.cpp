@@ -226,6 +226,7 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
   }
   // what is said of agents is kept while the robot is faster; slower it counts as standing
   if (!d.agents.empty()) j["rest_mmps"] = d.body.stands_mmps;
+  if (ir::is_charged_swaying(d.body)) j["dock_mmps"] = ir::charged_up_to_mmps(d.body);
   if (has_signals(d)) j["facts"] = facts(module, spec, d);
   return j;
 }

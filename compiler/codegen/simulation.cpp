@@ -165,7 +165,10 @@ class Decisions {
     if (ir::judges_commands(d)) j["judges_commands"] = true;
     j["limits"] = limits(*at);
     j["robots"] = robots;
-    if (at->energy) j["dock"] = dock(kind, *at->energy);
+    if (at->energy) {
+      j["dock"] = dock(kind, *at->energy);
+      j["dock_mps"] = metres(ir::charged_up_to_mmps(d.body));
+    }
     inputs_.clear();
     for (const ir::Channel* c : plain_inputs(d)) {
       if (c->kind == ir::ChannelKind::zone) {

@@ -87,6 +87,10 @@ std::string summary(const ir::Module& module) {
       out += "  assumed: nobody keeps " + names + " from a robot that stands (up to " +
              to_decimal(Rational(d.body.stands_mmps, 1000)) + " m/s)\n";
     }
+    if (ir::is_charged_swaying(d.body)) {
+      out += "  assumed: a dock charges who holds its place there (up to " +
+             to_decimal(Rational(ir::charged_up_to_mmps(d.body), 1000)) + " m/s)\n";
+    }
     if (d.coordinated) {
       out += "  coordinated: of several recoveries the one drives that keeps most of the order\n";
     }

@@ -4,6 +4,7 @@
 // Canonical text: printer.h. Well-formedness: verifier.h.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,6 +47,15 @@ struct Body {
   std::int64_t stands_mmps = 1;
   bool in_space = false;  // it moves up and down as well: all lengths above are of space
 };
+// A dock charges whom it finds at rest, and who holds its place there though that lets it sway
+// faster (language rule 6.7).
+inline constexpr std::int64_t rests_mmps = 20;
+inline std::int64_t charged_up_to_mmps(const Body& b) {
+  return std::max(rests_mmps, b.stands_mmps);
+}
+inline bool is_charged_swaying(const Body& b) {
+  return b.drain_ppm_per_s > 0 && b.stands_mmps > rests_mmps;
+}
 // What pushes the robot adds this share to its stopping distance, d / (b - d), and bends it away by
 // as much. theory, the brake: d s^2 / (2 b (b - d)) = s^2 / (2 b) d / (b - d)
 inline std::int64_t sway_permille(const Body& b) {

@@ -102,13 +102,14 @@ struct Agent {
 double next_battery(const RobotSetup& setup, const TruthState& before, Vec2 position,
                     double driven_m, double speed_mps, double dt_s, bool& charging) {
   const RobotLimits& limits = setup.limits;
-  const bool docked =
-      setup.has_dock && length(position - setup.dock) <= dock_reach_m && speed_mps < dock_speed_mps;
+  const bool docked = setup.has_dock && length(position - setup.dock) <= dock_reach_m &&
+                      speed_mps <= setup.dock_speed_mps;
   // No motion takes more than `drain`, however far it leads. The dock supplies what the robot needs
-  // at rest; a full battery stays full.
-  const double at_rest_per_s = docked ? 0 : limits.idle_per_s;
+  // to hold its place; a full battery stays full.
   const double taken =
-      std::min(at_rest_per_s * dt_s + limits.drive_per_m * driven_m, limits.drain_per_s * dt_s);
+      docked ? 0
+             : std::min(limits.idle_per_s * dt_s + limits.drive_per_m * driven_m,
+                        limits.drain_per_s * dt_s);
   const double gained = docked ? limits.charge_per_s * dt_s : 0;
   const double battery = clamp(before.battery + gained - taken, 0.0, 1.0);
   charging = docked && battery < 1.0;

@@ -224,6 +224,7 @@ DecisionCase decision(const Json& j, const Case& all) {
   d.robots = j.at("robots").get<std::vector<std::string>>();
   if (j.contains("dock")) {
     for (const Json& at : j.at("dock")) d.docks.push_back(place(at));
+    d.dock_mps = j.at("dock_mps");
   }
   if (j.contains("agents")) {
     for (const Json& a : j.at("agents")) {

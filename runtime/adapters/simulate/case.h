@@ -88,6 +88,7 @@ struct DecisionCase {
   RobotLimits limits;
   std::vector<std::string> robots;
   std::vector<Vec2> docks;  // by robot; empty: none
+  double dock_mps = 0;      // of whom they charge, at most
   std::vector<MonitorCase> monitors;
   std::vector<sim::Property> properties;  // by monitor
   sim::Surroundings surroundings;

@@ -260,7 +260,10 @@ std::vector<sim::RobotSetup> bodies(const DecisionCase& decision, const Setup& s
     body.heading_rad = start.heading_rad;
     body.battery = start.battery;
     body.has_dock = i < decision.docks.size();
-    if (body.has_dock) body.dock = decision.docks[i];
+    if (body.has_dock) {
+      body.dock = decision.docks[i];
+      body.dock_speed_mps = decision.dock_mps;
+    }
     all.push_back(body);
   }
   return all;

@@ -65,5 +65,18 @@ TEST(Battery, DoesNotChargeBesideTheDockOrWhileMoving) {
   EXPECT_LT(moving.truth(0).battery, before);
 }
 
+// A hold sways as its senses err: that is how it rests, and the dock feeds it meanwhile (rule 6.7).
+TEST(Battery, ChargesWhoSwaysNoFasterThanItsHold) {
+  RobotSetup setup = docked_robot({0.95, 1.0}, 0.5);
+  setup.dock_speed_mps = 0.03;
+  World<Twist> world({setup}, quiet());
+  world.robot(0).actuate({0.03, 0});
+  world.wait_until(200 * ms);
+  const double before = world.truth(0).battery;
+  world.wait_until(300 * ms);
+  EXPECT_TRUE(world.truth(0).charging);
+  EXPECT_NEAR(world.truth(0).battery, before + 0.1 * setup.limits.charge_per_s, 1e-9);
+}
+
 }  // namespace
 }  // namespace rtac::sim::testing

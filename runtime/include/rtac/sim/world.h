@@ -36,6 +36,7 @@ struct RobotSetup {
   double battery = 1;  // 1 = full
   bool has_dock = false;
   Vec2 dock;
+  double dock_speed_mps = 0.02;  // of whom its dock charges, at most: who rests there
   double height_m = 0;  // of the start, in space
 };
 
@@ -83,7 +84,6 @@ inline Vec3 velocity_of(const TruthState& truth) {
 }
 
 inline constexpr double dock_reach_m = 0.15;
-inline constexpr double dock_speed_mps = 0.02;
 
 // Sensing. Every sense of every robot has its own clock: sampled every max_age/2 with a seeded
 // offset, delivered max_age/2 - 1 ms later, so that the age at use comes up to max_age - 1 ms and
