@@ -106,10 +106,9 @@ double next_battery(const RobotSetup& setup, const TruthState& before, Vec2 posi
                       speed_mps <= setup.dock_speed_mps;
   // No motion takes more than `drain`, however far it leads. The dock supplies what the robot needs
   // to hold its place; a full battery stays full.
-  const double taken =
-      docked ? 0
-             : std::min(limits.idle_per_s * dt_s + limits.drive_per_m * driven_m,
-                        limits.drain_per_s * dt_s);
+  const double taken = docked ? 0
+                              : std::min(limits.idle_per_s * dt_s + limits.drive_per_m * driven_m,
+                                         limits.drain_per_s * dt_s);
   const double gained = docked ? limits.charge_per_s * dt_s : 0;
   const double battery = clamp(before.battery + gained - taken, 0.0, 1.0);
   charging = docked && battery < 1.0;

@@ -37,7 +37,7 @@ struct RobotSetup {
   bool has_dock = false;
   Vec2 dock;
   double dock_speed_mps = 0.02;  // of whom its dock charges, at most: who rests there
-  double height_m = 0;  // of the start, in space
+  double height_m = 0;           // of the start, in space
 };
 
 struct WorldOptions {
