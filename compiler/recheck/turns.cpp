@@ -49,8 +49,10 @@ class Turns {
               ((!zones.empty() || is_height(e)) && is_choice(e));
     });
     if (other) return false;
-    return std::all_of(zones.begin(), zones.end(),
-                       [&](sema::ZoneId zone) { return leaves_room(i, zone); });
+    return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
+      return leaves_room(i, zone) &&
+             (monitor(i).recover == monitor(j).recover || lets_go_in(i, zone));
+    });
   }
 
   // The specification accepts that recovery i may break monitor j.
@@ -150,14 +152,31 @@ class Turns {
     const bool legs = way->what == "legs";
     const auto left_mm = number(way->values, legs ? "clearance_mm" : "return_mm");
     if (!left_mm) return false;
-    const Rational left = Rational(*left_mm) / 1000;
+    return has_room(within.back(), Rational(*left_mm) / 1000, zone);
+  }
+  // Monitor i may let its recovery go before that is there: where what it says of zones, if it
+  // says anything of them, holds with its clearance to return, and its `return when`.
+  bool lets_go_in(std::size_t i, sema::ZoneId zone) {
+    const sema::Monitor& own = monitor(i);
+    const auto has = [&](const sema::Expr& says, const Rational& more) {
+      return std::ranges::any_of(kept_in(spec_, says), [&](sema::ZoneId in) {
+        return has_room(in, more + sure_gap_of(spec_, says, in), zone);
+      });
+    };
+    return all_zones(*own.always).empty() ||
+           has(*own.always, claims_.return_clearance(d_, own, extra())) ||
+           (own.return_when && has(*own.return_when, spec_[d_.kind].radius.value));
+  }
+  // Who is in a zone, `left` clear of its boundary, is so clear of another one that it is given
+  // back.
+  bool has_room(sema::ZoneId own, const Rational& left, sema::ZoneId zone) {
     const Rational more = claims_.return_clearance(d_, zone, extra()) - left;
-    if (within.back() == zone) return more <= 0;
+    if (own == zone) return more <= 0;
     if (more <= 0) {
-      const auto in = claims_.zones().solid(within.back()), out = claims_.zones().solid(zone);
+      const auto in = claims_.zones().solid(own), out = claims_.zones().solid(zone);
       return in && out && in->subtract(*out).empty();
     }
-    const geometry::Region* const in = claims_.zones().region(within.back());
+    const geometry::Region* const in = claims_.zones().region(own);
     const geometry::Region* const out = claims_.zones().region(zone);
     return in != nullptr && out != nullptr && out->shrink(without_excess(more)).contains(*in);
   }

@@ -58,9 +58,38 @@ bool keeps_heights(const Subject& s, const ir::Recovery& last, const ir::Monitor
   return all;
 }
 
+// Who is as clear as that of the boundary of a zone, being in it, has what is needed.
+bool leaves(const Subject& s, ir::ZoneIndex zone, std::int64_t clearance_mm, const Need& need) {
+  const std::int64_t more_mm = need.clearance_mm - clearance_mm;
+  if (need.zone == zone) return more_mm <= 0;
+  if (more_mm <= 0) return lies_in(s, zone, need.zone);
+  if (s.module[need.zone].has_height() || s.module[zone].has_height()) return false;
+  // the zone may lie so deep in the other one that it leaves no more itself
+  const auto deep = analysis::within(s.exact(need.zone), more_mm);
+  return deep && deep->contains(s.exact(zone));
+}
+
+// A monitor lets its recovery go as soon as what it says of zones holds with the clearance to
+// return, and its `return when`, which may be long before that is where it leads. Then that is what
+// another one has, too; or the monitor says nothing of zones, and lets go where others are far or
+// the robot is slow.
+bool has_early(const Subject& s, const ir::Monitor& lets_go, const Need& need) {
+  const auto& params = s.decision.facts.params;
+  if (analysis::fences_of(lets_go.property, params).empty()) return true;
+  const auto has = [&](const ir::Block& said, std::int64_t more_mm) {
+    return std::ranges::any_of(analysis::surely_in(said, params), [&](const auto& one_of) {
+      return one_of.size() == 1 && leaves(s, one_of[0].zone, more_mm + one_of[0].mm, need);
+    });
+  };
+  return has(lets_go.property,
+             analysis::return_clearance_mm(s.decision, lets_go.lookahead.duration_us)) ||
+         (lets_go.return_when &&
+          has(*lets_go.return_when, floor_to_int(Rational(1000 * s.kind.radius.value))));
+}
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
-// for the zones of j, which hold that one.
+// for the zones of j, which hold that one, as is what its own monitor has when it lets go.
 bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::size_t i,
              std::size_t j) {
   if (i == j) return true;
@@ -82,13 +111,9 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::
          std::all_of(needs.begin(), needs.end(), [&](const Need& need) {
            const auto zones = analysis::fences_of(m.property, s.decision.facts.params);
            if (std::find(zones.begin(), zones.end(), need.zone) == zones.end()) return true;
-           const std::int64_t more_mm = need.clearance_mm - last.return_clearance_mm;
-           if (need.zone == last.zone) return more_mm <= 0;
-           if (more_mm <= 0) return lies_in(s, last.zone, need.zone);
-           if (s.module[need.zone].has_height() || s.module[last.zone].has_height()) return false;
-           // its own zone may lie so deep in the other one that it leaves no more itself
-           const auto deep = analysis::within(s.exact(need.zone), more_mm);
-           return deep && deep->contains(s.exact(last.zone));
+           return leaves(s, last.zone, last.return_clearance_mm, need) &&
+                  (s.decision.monitors[i].recovery.name == m.recovery.name ||
+                   has_early(s, s.decision.monitors[i], need));
          });
 }
 
@@ -174,8 +199,8 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
                (several ? " take over from each other for ever"
                         : " drives for one monitor after the other for ever");
   o.repair =
-      "recoveries that stay within the zones of all monitors, or lead to where all of them "
-      "give control back, work; `rtac protocol` writes the model of " +
+      "one recovery that stays within the zones of all of these monitors works, or a `return when` "
+      "that lets none go sooner than all give control back; `rtac protocol` writes the model of " +
       quoted(s.decision.name);
   return o;
 }

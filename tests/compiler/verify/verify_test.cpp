@@ -298,6 +298,38 @@ TEST_F(Verify, RecoveriesThatTakeOverFromEachOtherAreNotProvedToEnd) {
   EXPECT_EQ(statuses(waits.out, "switching", ""), Statuses{"unknown"}) << waits.out;
   EXPECT_NE(waits.out.find("take over from each other for ever"), std::string::npos) << waits.out;
 }
+// `creep` leads to where both give control back, but its monitor lets it go as soon as the shop is
+// far enough, beside a wall that `back` may lead away from to the shop again.
+TEST_F(Verify, AMonitorMayLetItsRecoveryGoBeforeThatIsWhereItLeads) {
+  const std::string two = R"(spec early;
+zone hall = rectangle (0 m, 0 m) to (26 m, 1.7 m) | rectangle (20 m, 0 m) to (24 m, 5 m);
+zone shop = rectangle (0 m, -1 m) to (8 m, 6 m);
+zone rest = hall - grow(shop, 10 cm);
+robot Cart {
+  body radius 30 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 60 ms;
+  sense velocity : vector error 2 cm/s max_age 60 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet cart : Cart;
+controller nav : advanced for Cart extern;
+controller creep : safe for Cart = retreat within rest speed 0.4 m/s;
+controller back : safe for Cart = retreat within hall speed 0.4 m/s;
+monitor off for c : Cart { "E-1: off the shop" always distance(c, shop) >= 10 cm; recover creep; }
+monitor walls for c : Cart { "E-2: in" always c inside hall; recover back; }
+decision drive for Cart { advanced nav; period 50 ms; priority off > walls; }
+)";
+  const Outcome early = verified(two, {"--format", "json"});
+  EXPECT_EQ(early.status, exit_inconclusive) << early.out << early.err;
+  EXPECT_EQ(statuses(early.out, "switching", ""), Statuses{"unknown"}) << early.out;
+  const Outcome there = verified(
+      edited(two, "recover creep;", "recover creep; return when clearance(c, rest) >= 40 cm;"),
+      {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(there.out, "switching", ""), Statuses{"proved"}) << there.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+}
 // A robot that loiters rests between laps where its zone leaves as much room as a retreat does: a
 // monitor that waits for another one's way back is not left for ever.
 TEST_F(Verify, WhereARobotLoitersTheOthersGiveBackAsWell) {
