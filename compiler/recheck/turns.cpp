@@ -1,6 +1,7 @@
 #include "compiler/recheck/turns.h"
 
 #include <algorithm>
+#include <array>
 #include <variant>
 
 #include "compiler/recheck/company.h"
@@ -38,6 +39,24 @@ class Turns {
            Sides(spec_, d_, claims_).keeps_while_told(recovery(i), monitor(j), extra());
   }
 
+  // Whoever of the two drives, the robot is led the same way, and neither takes over from the
+  // other.
+  bool leads_on(std::size_t i, std::size_t j) {
+    if (monitor(i).recover == monitor(j).recover) return true;
+    const auto* one = std::get_if<sema::Retreat>(&recovery(i).implementation);
+    const auto* other = std::get_if<sema::Retreat>(&recovery(j).implementation);
+    const Claim* const way = way_back(i);
+    const Claim* const next = way_back(j);
+    if (one == nullptr || other == nullptr || way == nullptr || next == nullptr) return false;
+    return one->zone == other->zone && one->speed.value == other->speed.value &&
+           way->what == next->what &&
+           std::ranges::all_of(std::array{"return_mm", "clearance_mm", "route_mm"},
+                               [&](const char* const key) {
+                                 return number(way->values, key) == number(next->values, key);
+                               }) &&
+           keeps(i, j) && keeps(j, i);
+  }
+
   // Where recovery i may return, nothing keeps monitor j from giving control back.
   bool settles(std::size_t i, std::size_t j) {
     const sema::Expr& says = *monitor(j).always;
@@ -50,8 +69,7 @@ class Turns {
     });
     if (other) return false;
     return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
-      return leaves_room(i, zone) &&
-             (monitor(i).recover == monitor(j).recover || lets_go_in(i, zone));
+      return leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone));
     });
   }
 

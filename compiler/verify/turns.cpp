@@ -87,11 +87,19 @@ bool has_early(const Subject& s, const ir::Monitor& lets_go, const Need& need) {
           has(*lets_go.return_when, floor_to_int(Rational(1000 * s.kind.radius.value))));
 }
 
+// Whichever of two drives, the robot comes nearer to where both lead.
+bool lead_the_same_way(const ir::Recovery& a, const ir::Recovery& b) {
+  return a.kind == ir::RecoveryKind::retreat && b.kind == a.kind && a.zone == b.zone &&
+         a.speed_mmps == b.speed_mmps && a.return_clearance_mm == b.return_clearance_mm &&
+         a.route_clearance_mm == b.route_clearance_mm;
+}
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
-// for the zones of j, which hold that one, as is what its own monitor has when it lets go.
-bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::size_t i,
-             std::size_t j) {
+// for the zones of j, which hold that one, as is what its own monitor has when it lets go, unless
+// it is then led on as before: by the same recovery, or by one that neither takes over from it.
+bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, bool led_on,
+             std::size_t i, std::size_t j) {
   if (i == j) return true;
   const ir::Monitor& m = s.decision.monitors[j];
   const Atoms atoms = atoms_of(m.property);
@@ -112,8 +120,7 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, std::
            const auto zones = analysis::fences_of(m.property, s.decision.facts.params);
            if (std::find(zones.begin(), zones.end(), need.zone) == zones.end()) return true;
            return leaves(s, last.zone, last.return_clearance_mm, need) &&
-                  (s.decision.monitors[i].recovery.name == m.recovery.name ||
-                   has_early(s, s.decision.monitors[i], need));
+                  (led_on || has_early(s, s.decision.monitors[i], need));
          });
 }
 
@@ -199,8 +206,10 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
                (several ? " take over from each other for ever"
                         : " drives for one monitor after the other for ever");
   o.repair =
-      "one recovery that stays within the zones of all of these monitors works, or a `return when` "
-      "that lets none go sooner than all give control back; `rtac protocol` writes the model of " +
+      "recoveries of one zone and speed, which is within the zones of all of these monitors, work, "
+      "or "
+      "a `return when` that lets none go sooner than all give control back; `rtac protocol` writes "
+      "the model of " +
       quoted(s.decision.name);
   return o;
 }
@@ -244,11 +253,19 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
   protocol::Arbitration known;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     known.keeps.emplace_back();
-    known.settles.emplace_back();
-    const bool leads = leads_back(s, i);
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       known.keeps.back().push_back(i == j || keeps(s, matrix[i][j], i, j));
-      known.settles.back().push_back(settles(s, needs, leads, i, j));
+    }
+  }
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    known.settles.emplace_back();
+    const bool leads = leads_back(s, i);
+    const ir::Recovery& leading = s.decision.monitors[i].recovery;
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      const ir::Recovery& next = s.decision.monitors[j].recovery;
+      const bool led_on = leading.name == next.name || (lead_the_same_way(leading, next) &&
+                                                        known.keeps[i][j] && known.keeps[j][i]);
+      known.settles.back().push_back(settles(s, needs, leads, led_on, i, j));
     }
   }
   return known;

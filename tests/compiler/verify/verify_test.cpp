@@ -330,6 +330,38 @@ decision drive for Cart { advanced nav; period 50 ms; priority off > walls; }
   EXPECT_EQ(statuses(there.out, "switching", ""), Statuses{"proved"}) << there.out;
   EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
 }
+// Of two halls that overlap, either recovery leads on along the same way where the other one has
+// let go, if both stay where they do.
+TEST_F(Verify, RecoveriesThatLeadTheSameWayDoNotTakeOverForEver) {
+  const std::string two = R"(spec halls;
+zone west = rectangle (0 m, 0 m) to (14 m, 10 m);
+zone south = rectangle (0 m, 0 m) to (24 m, 6 m);
+zone both = west & south;
+robot Cart {
+  body radius 30 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
+  sense position : point error 2 cm max_age 60 ms;
+  sense velocity : vector error 2 cm/s max_age 60 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet cart : Cart;
+controller nav : advanced for Cart extern;
+controller to_west : safe for Cart = retreat within both speed 0.4 m/s;
+controller to_south : safe for Cart = retreat within both speed 0.4 m/s;
+monitor in_west for c : Cart { "E-1: in the west" always c inside west; recover to_west; }
+monitor in_south for c : Cart { "E-2: in the south" always c inside south; recover to_south; }
+decision drive for Cart { advanced nav; period 50 ms; priority in_west > in_south; }
+)";
+  const Outcome same = verified(two, {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(same.out, "switching", ""), Statuses{"proved"}) << same.out;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  const Outcome slower =
+      verified(edited(two, "to_south : safe for Cart = retreat within both speed 0.4",
+                      "to_south : safe for Cart = retreat within both speed 0.3"),
+               {"--format", "json"});
+  EXPECT_EQ(statuses(slower.out, "switching", ""), Statuses{"unknown"}) << slower.out;
+}
 // A robot that loiters rests between laps where its zone leaves as much room as a retreat does: a
 // monitor that waits for another one's way back is not left for ever.
 TEST_F(Verify, WhereARobotLoitersTheOthersGiveBackAsWell) {
