@@ -369,29 +369,32 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
   return std::max(mover + held, legs) + standoff_mm + tracking_mm;
 }
 
+std::int64_t still_mmps(const ir::Body& b) {
+  constexpr std::int64_t corner_mmps = 2;  // of a sample off the grid, which lengthens it
+  return b.velocity_error_mmps + corner_mmps + apart_mmps(b);
+}
+
 std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,
                                 std::int64_t least_mm) {
   const ir::Body& b = decision.body;
-  // twice the position error, as it is measured and as it is judged; 2: a sample off the grid, 2:
-  // the resolution of the kernel's gap; in space 3 and 4
-  return least_mm + b.radius_mm + 2 * b.position_error_mm + (b.in_space ? 7 : 4) +
-         way_mm(b, motion, b.velocity_error_mmps, b.position_age_us);
+  // twice the position error, as it is measured and as it is judged. Of a sample off the grid the
+  // width, 2 mm in the plane and 3 mm in space, and how far its corner is from it, the roots of
+  // these; 2: the resolution of the kernel's gap
+  return least_mm + b.radius_mm + 2 * b.position_error_mm + (b.in_space ? 7 : 6) +
+         way_mm(b, motion, still_mmps(b), b.position_age_us);
 }
 
-// As the kernel counts (kernel/motion.c, kernel/speed.c): the measured speed of a robot at rest is
-// its velocity error and 2 mm/s at most, in space, too; the error counts once more, with the width
-// of a sample off the grid on each axis and what the stamps of position and velocity lie apart; and
-// it may have gained speed since the position was measured. Never more than the cap of the
-// recovery, unless it is measured to be faster.
+// As the kernel counts (kernel/motion.c, kernel/speed.c): beside what it is measured to have, the
+// error counts once more, with the width of a sample off the grid on each axis; and it may have
+// gained speed since the position was measured. Never more than the cap of the recovery, unless it
+// is measured to be faster.
 std::int64_t shown_speed_mmps(const ir::Decision& decision, const ir::Motion& motion) {
   const ir::Body& b = decision.body;
-  constexpr std::int64_t corner_mmps = 2;
   const std::int64_t width_mmps = b.in_space ? 3 : 2;
   const auto gained = [](std::int64_t accel_mmps2, std::int64_t us) {
     return div_up(accel_mmps2 * div_up(us, 1000), 1000);
   };
-  const std::int64_t seen_mmps =
-      2 * b.velocity_error_mmps + corner_mmps + width_mmps + apart_mmps(b);
+  const std::int64_t seen_mmps = still_mmps(b) + b.velocity_error_mmps + width_mmps;
   return std::min(std::max(motion.speed_mmps, seen_mmps),
                   seen_mmps + gained(motion.accel_mmps2, b.position_age_us));
 }

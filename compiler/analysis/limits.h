@@ -51,6 +51,8 @@ std::int64_t beside_leg_mm(const ir::Decision& decision, const ir::Recovery& rec
 // Distance of centres at which a robot at full speed passes one that is HELD, standoff included.
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm);
+// How fast a robot at rest may be measured, and have been when its position was.
+std::int64_t still_mmps(const ir::Body& body);
 // Clearance of the centre at which a robot at rest, driven by `motion`, is seen to have a clearance
 // of `least_mm` in spite of noise: what a return condition that asks for it needs.
 std::int64_t shown_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,

@@ -142,8 +142,7 @@ class Judge {
     if (!way) return std::nullopt;
     const ir::Body& b = decision_.body;
     const std::int64_t within =
-        seen_off_mm() + b.position_error_mm +
-        way_mm(b, motion_, b.velocity_error_mmps + apart_mmps(b), b.position_age_us);
+        seen_off_mm() + b.position_error_mm + way_mm(b, motion_, still_mmps(b), b.position_age_us);
     const auto price = price_at(module_, way->site, within);
     if (!price) return std::nullopt;
     if (*price >= ir::no_way) return cramped(way->site, within, source);

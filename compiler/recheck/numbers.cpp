@@ -210,11 +210,33 @@ Rational cruising_clearance(const Numbers& n, const Rational& speed, const Ratio
   return disc(n, seen * horizon_of(n, ahead), seen) + n.position_error;
 }
 
-// The stamps of both samples may lie apart, as far as either may be old.
-Rational moved_at_rest(const Numbers& n, const Rational& accel) {
-  const Rational apart = n.change * std::max(n.position_age, n.velocity_age);
-  const Rational first = std::min(n.speed, Rational(2 * n.velocity_error + apart));
-  return first * n.position_age + accel * n.position_age * n.position_age / 2;
+Rational planar_accel(const Numbers& n) {
+  return n.unicycle ? interp::square_root(n.accel_square).below : n.accel;
+}
+
+Rational driven_at_most(const Numbers& n, const sema::Controller& recovery) {
+  Rational speed = 0;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    if (const auto own = sema::speed_of(what)) speed = std::max(speed, *own);
+  }
+  if (sema::templates_of(recovery).empty()) {
+    const auto claim = sema::claim_of(recovery);
+    speed = claim ? claim->speed.value : n.speed;
+  }
+  return std::min(n.speed, Rational(speed + pushed(n)));
+}
+
+// Its velocity is measured to have its error, which counts once more. The stamps of both samples
+// may lie apart, as far as either may be old.
+Rational seen_at_rest(const Numbers& n) {
+  return 2 * n.velocity_error + n.change * std::max(n.position_age, n.velocity_age);
+}
+
+Rational moved_at_rest(const Numbers& n, const Rational& drives) {
+  const Rational first = seen_at_rest(n), accel = planar_accel(n), age = n.position_age;
+  const Rational cap = std::max(drives, first), spare = cap - first;
+  if (accel * age <= spare) return first * age + accel * age * age / 2;
+  return cap * age - spare * spare / (2 * accel);
 }
 
 }  // namespace rtac::recheck

@@ -44,7 +44,13 @@ Rational resting_clearance(const Numbers& n, const Rational& accel, const Ration
 // The same of one that drives at `speed`, which a look-ahead by the limits of its recovery passes,
 // without what steering leaves beside its leg.
 Rational cruising_clearance(const Numbers& n, const Rational& speed, const Rational& ahead);
-// How far a robot that is measured to be at rest may have driven since its position was, at most.
-Rational moved_at_rest(const Numbers& n, const Rational& accel);
+// Of the reference point, without braking; a root from below: what is claimed rounds it up.
+Rational planar_accel(const Numbers& n);
+// How fast its recovery may drive, and how much faster it may get.
+Rational driven_at_most(const Numbers& n, const sema::Controller& recovery);
+// How fast a robot at rest may have been as its position was measured, as its velocity shows it.
+Rational seen_at_rest(const Numbers& n);
+// How far it may have driven since then, at `drives` at most or as fast as it seemed.
+Rational moved_at_rest(const Numbers& n, const Rational& drives);
 
 }  // namespace rtac::recheck

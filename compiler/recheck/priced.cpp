@@ -160,7 +160,7 @@ std::optional<Doubt> check_priced(const sema::Spec& spec, const sema::Decision& 
   if (asks_for_way(m.always.get(), way->site)) {
     reach = claims.return_clearance(d, m, return_extra(spec, d)) - n.radius;
   } else if (asks_for_way(m.return_when.get(), way->site)) {
-    reach = n.position_error + moved_at_rest(n, interp::square_root(n.accel_square).below);
+    reach = n.position_error + moved_at_rest(n, driven_at_most(n, spec[*m.recover]));
   } else {
     return std::nullopt;
   }

@@ -155,39 +155,17 @@ class Condition {
     return keeps_heights(*monitor_.return_when, true, solid->slabs().front().floor + rest, 0) &&
            keeps_heights(*monitor_.return_when, true, solid->slabs().back().ceiling - rest, 0);
   }
-  // How fast it may drive, and how much faster it may get; a root from below: what is claimed
-  // rounds it up.
-  [[nodiscard]] Rational drives() const {
-    Rational speed = 0;
-    for (const sema::Template& what : sema::templates_of(recovery_)) {
-      if (const auto own = sema::speed_of(what)) speed = std::max(speed, *own);
-    }
-    if (sema::templates_of(recovery_).empty()) {
-      const auto claim = sema::claim_of(recovery_);
-      speed = claim ? claim->speed.value : numbers_.speed;
-    }
-    return std::min(numbers_.speed, Rational(speed + pushed(numbers_)));
-  }
-  [[nodiscard]] Rational accel() const {
-    return numbers_.unicycle ? interp::square_root(numbers_.accel_square).below : numbers_.accel;
-  }
-  // A body at rest is measured to have the error of its velocity, which counts once more, with what
-  // its stamps lie apart; and it may have gained speed since its position was measured.
+  [[nodiscard]] Rational drives() const { return driven_at_most(numbers_, recovery_); }
+  // And it may have gained speed since its position was measured.
   [[nodiscard]] Rational shown_speed() const {
-    const Numbers& n = numbers_;
-    const Rational seen = 2 * n.velocity_error + accel() * std::max(n.position_age, n.velocity_age);
-    return std::min(std::max(drives(), seen), Rational(seen + accel() * n.position_age));
+    const Rational first = seen_at_rest(numbers_);
+    return std::min(std::max(drives(), first),
+                    Rational(first + planar_accel(numbers_) * numbers_.position_age));
   }
   // The clearance of a centre at which every sample shows, as old as it may be, that a body at rest
   // is `gap` from the boundary.
   [[nodiscard]] Rational seen(const Rational& gap) const {
-    const Numbers& n = numbers_;
-    const Rational first = 2 * n.velocity_error, age = n.position_age;
-    const Rational cap = std::max(drives(), first), capped = cap - first;
-    const Rational way = accel() * age <= capped
-                             ? Rational(first * age + accel() * age * age / 2)
-                             : Rational(cap * age - capped * capped / (2 * accel()));
-    return gap + n.radius + 2 * n.position_error + way;
+    return gap + numbers_.radius + 2 * numbers_.position_error + moved_at_rest(numbers_, drives());
   }
   bool clear(sema::ZoneId zone, const Rational& gap) {
     if (at_) {

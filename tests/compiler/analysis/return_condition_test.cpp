@@ -2,6 +2,7 @@
 // the recovery takes the robot where a condition that can hold does hold.
 #include <cmath>
 
+#include "compiler/analysis/limits.h"
 #include "tests/compiler/analysis/testing.h"
 
 namespace rtac::analysis::test {
@@ -214,6 +215,32 @@ TEST(ReturnCondition, TheRecoveryHeadsFurtherWhenStampsMayLieFurtherApart) {
     return c.module->decisions[0].monitors[1].recovery.return_clearance_mm;
   };
   EXPECT_GT(heads_for(*apart), heads_for(*close));
+}
+
+// What it asks for itself is judged with both, too: at 1 m/s^2, 250 ms more between their stamps
+// make 0.25 m/s more, for the 200 ms that the position may be old. The recovery drives at 0.2 m/s;
+// who seems faster counts as such, up to 1.02 m/s.
+TEST(ReturnCondition, WhatAConditionAsksForIsSeenWithUnequalStamps) {
+  const std::string text = fence_returns("clearance(r, floor) >= 1.5 m");
+  const auto heads_for = [&](const char* age) {
+    const auto c = compiled(edited(text, "max_age 150 ms;", std::string("max_age ") + age + ";"));
+    EXPECT_TRUE(c->module) << reports(*c);
+    return c->module ? c->module->decisions[0].monitors[1].recovery.return_clearance_mm : 0;
+  };
+  const auto near_mm = heads_for("200 ms"), far_mm = heads_for("450 ms");
+  // turning included, it is sqrt(1 m/s^2 ^2 + (1 m/s * 2 rad/s)^2)
+  const double change_mmps = std::sqrt(5.0) * 250;
+  EXPECT_NEAR(static_cast<double>(far_mm - near_mm), change_mmps * 0.2, 2);
+  EXPECT_EQ(heads_for("100 ms"), near_mm);  // the position may be older
+}
+// Off the grid, too: the width of a sample in the plane, the corner that stands for it, what the
+// kernel's gap is short of, and what the speed of that corner makes of its age.
+TEST(ReturnCondition, WhatAConditionAsksForIsSeenOffTheGrid) {
+  ir::Decision d;
+  ir::Motion still{"", 0, 0, false, {}};
+  EXPECT_EQ(shown_clearance_mm(d, still, 0), 6);
+  d.body.in_space = true;
+  EXPECT_EQ(shown_clearance_mm(d, still, 0), 7);
 }
 
 TEST(ReturnCondition, ABatteryWithoutADrainIsOfNoUse) {

@@ -341,5 +341,21 @@ TEST_F(ReturnWhen, WhatItAsksForBesidesIsNoMatterOfOthers) {
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
+// Beside 0.2 m of the body it takes 4 cm of errors and 2.2 cm that it may have moved: 4 cm/s of
+// errors and 12 cm/s of 100 ms between its stamps, for 100 ms, and what it gains in them. What
+// rounds that up is less than a centimetre, and without the stamps it would be 1.2 cm less.
+TEST_F(ReturnWhen, WhatUnequalStampsLeaveOpenIsDenied) {
+  const Outcome o = verified(returning("clearance(r, hall) >= 1.8 m"), {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  const std::string text = read("certificates/sources/spec.rta");
+  for (const auto& [asked, status] :
+       {std::pair{"1.80 m", exit_clean}, {"1.81 m", exit_violation}}) {
+    write("certificates/sources/spec.rta", edited(text, "clearance(r, hall) >= 1.8 m",
+                                                  std::string("clearance(r, hall) >= ") + asked));
+    const Outcome again = recheck_sealed_anew();
+    EXPECT_EQ(again.status, status) << asked << again.out << again.err;
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
