@@ -150,7 +150,7 @@ class HostileFleet<Output>::Impl {
     Message message{now_us(), announcement};
     Announcement& a = message.content;
     const TimeUs max_age_us = arena_.limits().hears_age_us;
-    senses_[static_cast<std::size_t>(robot)].announce(now_us(), max_age_us, log_, a);
+    senses_[static_cast<std::size_t>(robot)].announce(now_us(), log_, a);
     std::vector<std::int64_t> whole{robot, a.position.stamp_us, a.velocity.stamp_us};
     std::vector<double> real{a.position.value.x, a.position.value.y, a.velocity.value.x,
                              a.velocity.value.y};

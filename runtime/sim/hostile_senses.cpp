@@ -160,18 +160,27 @@ void HostileSenses::measure(TimeUs now_us, const TruthLog& log, Observation& obs
   if (faulty(Sense::battery, now_us)) observation.battery.value = not_a_number;
 }
 
-void HostileSenses::announce(TimeUs now_us, TimeUs max_age_us, const TruthLog& log,
-                             Announcement& announcement) {
+// How old a robot's own measurement may be that it tells the others of: as old as it senses, for a
+// period longer where it is told of between two decisions. Half of what they admit is left for the
+// message, and it can still be heard a period later: that nobody is ever heard is no assumption.
+TimeUs HostileSenses::told_age(TimeUs max_age_us) const {
+  const TimeUs hears_us = arena_.limits().hears_age_us;
+  const TimeUs next_us = hears_us - hostility_.period_us - hostility_.jitter_us;
+  return std::max<TimeUs>(0, std::min({max_age_us + hostility_.period_us, hears_us / 2, next_us}));
+}
+
+void HostileSenses::announce(TimeUs now_us, const TruthLog& log, Announcement& announcement) {
   const RobotLimits& limits = arena_.limits();
   aim(now_us);
-  const TimeUs older_us = hostility_.ages == Ages::unequal ? max_age_us / 2 : 0;
-  const auto stamp = [&](TimeUs age_us, TimeUs& last_us) -> const TruthLog::Moment& {
+  const bool unequal = hostility_.ages == Ages::unequal;
+  const auto stamp = [&](bool old, TimeUs max_age_us, TimeUs& last_us) -> const TruthLog::Moment& {
+    const TimeUs age_us = unequal && old ? told_age(max_age_us) : 0;
     const TruthLog::Moment& moment = log.at(std::max(now_us - age_us, last_us));
     last_us = moment.time_us;
     return moment;
   };
-  const TruthLog::Moment& p = stamp(old_position_ ? older_us : 0, announced_position_us_);
-  const TruthLog::Moment& v = stamp(old_position_ ? 0 : older_us, announced_velocity_us_);
+  const TruthLog::Moment& p = stamp(old_position_, limits.position_age_us, announced_position_us_);
+  const TruthLog::Moment& v = stamp(!old_position_, limits.velocity_age_us, announced_velocity_us_);
   const auto self = static_cast<std::size_t>(robot_);
   const Vec3 at = position_of(p.truths[self]) + offset(limits.position_error_m, lasting_.position);
   const Vec3 moves =

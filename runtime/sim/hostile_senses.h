@@ -15,9 +15,8 @@ class HostileSenses {
 
   // All that is sensed now.
   void measure(TimeUs now_us, const TruthLog& log, Observation& observation);
-  // Position and velocity for an announcement that is sent now and may be as old as `max_age_us`
-  // when it is used.
-  void announce(TimeUs now_us, TimeUs max_age_us, const TruthLog& log, Announcement& announcement);
+  // Position and velocity for an announcement that is sent now.
+  void announce(TimeUs now_us, const TruthLog& log, Announcement& announcement);
   // Nothing arrives from other robots now.
   [[nodiscard]] bool deaf(TimeUs now_us) const {
     return faulty(Sense::announcements, now_us) ||
@@ -31,6 +30,7 @@ class HostileSenses {
     TimeUs from_us = never_us, until_us = never_us;
   };
   [[nodiscard]] TimeUs age(Sense sense, TimeUs max_age_us);
+  [[nodiscard]] TimeUs told_age(TimeUs max_age_us) const;
   [[nodiscard]] bool faulty(Sense sense, TimeUs now_us) const {
     return fault_.sense == sense && fault_.from_us <= now_us && now_us < fault_.until_us;
   }

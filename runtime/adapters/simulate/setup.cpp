@@ -183,7 +183,8 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
                   scenario.jitter_us,
                   scenario.fault_us_max.value_or(
                       d.twist ? fault_us_twist : fault_periods_acceleration * d.period_us),
-                  scenario.deaf_from_us.value_or(never_us)};
+                  scenario.deaf_from_us.value_or(never_us),
+                  d.period_us};
   Random random = Random::stream(seed, setup_stream, 0);
   std::vector<TruthState> truths;
   if (!place_all(d, scenario, random, truths)) {

@@ -104,6 +104,36 @@ TEST_F(Hostile, MessagesAreAsOldAsDeclaredAndInOrder) {
   }
 }
 
+// However short a message may be heard for: never older than the robot measures it, a period later,
+// and such that the others hear it at their next tick, which may come late.
+TEST_F(Hostile, WhatIsToldIsAsOldAsSensesDeclareAndCanStillBeHeard) {
+  const TimeUs period_us = 50 * ms, jitter_us = 5 * ms;
+  struct Case {
+    TimeUs hears_us, apart_us;  // declared, and the most that is told of
+  };
+  for (const Case each : {Case{400 * ms, 100 * ms},  // the sense of 50 ms, and a period
+                          Case{150 * ms, 75 * ms},   // half of it
+                          Case{80 * ms, 25 * ms},    // a period and its jitter less
+                          Case{55 * ms, 0}}) {
+    limits.hears_age_us = each.hears_us;
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      Tape tape;
+      TimeUs apart_us = 0;
+      Hostility hostility{seed, Aim::fence, Noise::aimed, Ages::unequal, 0, jitter_us};
+      hostility.period_us = period_us;
+      fly(hostility, tape, [&](const Observation& o, auto&) {
+        if (o.now_us < 600 * ms) return;
+        const Announcement& heard = o.others[static_cast<std::size_t>(1 - o.self)];
+        ASSERT_FALSE(late(heard.position, o.now_us, limits.hears_age_us)) << each.hears_us;
+        ASSERT_FALSE(late(heard.velocity, o.now_us, limits.hears_age_us)) << each.hears_us;
+        apart_us = std::max(apart_us, std::abs(heard.position.stamp_us - heard.velocity.stamp_us));
+      });
+      EXPECT_LE(apart_us, each.apart_us) << each.hears_us;
+      EXPECT_GE(apart_us, each.apart_us - 2 * ms) << each.hears_us;  // a step of the world
+    }
+  }
+}
+
 // Unless it is aimed, noise helps as often as it harms.
 TEST_F(Hostile, AimedNoiseHidesTheDanger) {
   int runs_aimed = 0;

@@ -35,6 +35,7 @@ struct Hostility {
   TimeUs jitter_us = 0;             // a tick is up to so late
   TimeUs fault_us_max = 1'000'000;  // how long samples of one sense are lost or broken
   TimeUs deaf_from_us = never_us;   // from then on no robot hears another one; never_us: they do
+  TimeUs period_us = 0;             // of decisions: how long a measurement waits to be told of
 };
 
 // Between the runtime and a world that measures without noise, whose senses are not asked.
