@@ -63,8 +63,10 @@ Problem unwritten(const std::string& path) {
 Problem has_room(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::error_code error;
-  errno = ENOENT;
-  if (!folder.empty() && !std::filesystem::exists(folder, error)) return unwritten(path);
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    errno = std::filesystem::exists(folder, error) ? ENOTDIR : ENOENT;
+    return unwritten(path);
+  }
   errno = EISDIR;
   if (std::filesystem::is_directory(path, error)) return unwritten(path);
   const bool replaces = std::filesystem::exists(path, error);

@@ -363,14 +363,39 @@ TEST_F(Simulations, WhatCannotBeReadIsToldAsSuch) {
 TEST_F(Simulations, ARunThatCannotBeWrittenIsNotSaidToBeThere) {
   write("spec.rta", yard(blind));
   fs::create_directory("folder");
-  std::vector<std::string> places{"folder", "no/such/folder"};
-  if (fs::is_character_file("/dev/full")) places.emplace_back("/dev/full");
-  for (const std::string& place : places) {
+  // found before anything is played
+  for (const std::string place : {"folder", "no/such/folder", "spec.rta/below"}) {
     const Outcome o = rtac({"sim", "spec.rta", "--runs", "1", "--trace", place});
     EXPECT_EQ(o.status, 2) << place;
-    EXPECT_NE(o.err.find("error[9003]"), std::string::npos) << o.err;
-    EXPECT_EQ(o.out.find("the run is in"), std::string::npos) << o.out;
+    EXPECT_NE(o.err.find("error[9003]: cannot write the run to `" + place + "`: "),
+              std::string::npos)
+        << o.err;
+    EXPECT_NE(o.err.find("`--trace FILE` names another place"), std::string::npos) << o.err;
+    EXPECT_EQ(o.out, "") << place;
   }
+  if (!fs::is_character_file("/dev/full")) return;
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "1", "--trace", "/dev/full"});
+  EXPECT_EQ(o.status, 2);
+  EXPECT_NE(o.err.find("error[9003]: cannot write the run to `/dev/full`: No space left"),
+            std::string::npos)
+      << o.err;
+  EXPECT_EQ(o.out.find("the run is in"), std::string::npos) << o.out;
+}
+
+// That a disk is full is no matter of the scenario.
+TEST_F(Simulations, WhatWasFoundAndCannotBeWrittenIsToldAsSuch) {
+  if (!fs::is_character_file("/dev/full")) GTEST_SKIP() << "there is no full device";
+  write("spec.rta", yard("50 ms"));
+  write("full.sh", "#!/bin/sh\nexec '" RTAC_SIM_PROGRAM "' \"$@\" >/dev/full\n");
+  fs::permissions("full.sh", fs::perms::owner_all);
+  ::setenv("RTAC_SIM", fs::absolute("full.sh").c_str(), 1);
+  const Outcome o = rtac({"sim", "spec.rta", "--runs", "1"});
+  EXPECT_EQ(o.status, 2) << o.err;
+  EXPECT_NE(
+      o.err.find("error[9003]: cannot write what was found to standard output: No space left"),
+      std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("help: make room"), std::string::npos) << o.err;
 }
 
 // 400 commands are under way at once.
