@@ -48,6 +48,9 @@ class Node {
     said.lease_end_us = record_.lease_end_us;
     said.claims = true;  // it has somewhere to go
     if (mode_ == 0) return said;
+    if (const auto halt = cart_.recovery(mode_).halt(); halt && halt->latched) {
+      said.hold = halt->place;
+    }
     said.blocked = cart_.recovery(mode_).blocked();
     if (const rtac::Path* way = cart_.recovery(mode_).path()) said.plan = *way;
     return said;

@@ -12,6 +12,10 @@ bool is_held(const Announcement& other, TimeUs now_us) {
          is_finite(other.height_m);
 }
 
+Vec3 place_of_held(const Announcement& other) {
+  return other.hold && is_finite(*other.hold) ? *other.hold : position_of(other);
+}
+
 int asks_for_passage(const Observation& observation) {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];

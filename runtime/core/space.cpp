@@ -360,7 +360,7 @@ bool Carried::allowed(const Observation& observation, Gate gate) const {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;
-    if (!(inner(way, from - position_of(other)) >= 0)) return false;
+    if (!(inner(way, from - place_of_held(other)) >= 0)) return false;
   }
   return true;
 }

@@ -284,6 +284,8 @@ void PlanExecutor<Output>::announce() {
   out.present = {true, observation_.now_us};
   // Without protection nothing keeps the promise that the record speaks of.
   out.lease_end_us = options_.protect ? record_.lease_end_us : never_us;
+  const std::optional<Halt> halt = recovery != nullptr ? recovery->halt() : std::nullopt;
+  out.hold = halt && halt->latched ? std::optional(halt->place) : std::nullopt;
   out.claims = claims();
   out.urgency = situation_.urgency;
   out.errand = recovery != nullptr && recovery->errand();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 namespace rtac {
 
@@ -124,6 +125,9 @@ struct Announcement {
   bool blocked = false;  // it found no way around the others and asks for passage
   Path plan;             // what it follows, or would follow if the way were free
   double height_m = 0, climb_mps = 0;  // as those of an observation
+  // The place that it holds, as its recovery has it (Halt). Errors and pushes that last put it
+  // beside that, and what it measures with it.
+  std::optional<Vec3> hold;
 };
 
 inline Vec3 position_of(const Announcement& heard) {

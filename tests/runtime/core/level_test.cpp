@@ -321,6 +321,34 @@ TEST(YieldInSpace, MakesRoomOnItsLevel) {
   EXPECT_GT(flight.least_clear_m, 0.3 - 0.05);
 }
 
+// Both in a corner, one over the other: errors that last show the other one on the side of the
+// room, which holds on the side of the corner. It leads away from there, gate or not.
+TEST(YieldInSpace, LeavesThePlaceThatTheOtherOneHolds) {
+  for (const Gate gate : {Gate::free, Gate::away_only}) {
+    Flight flight({0.32, 0.32, height_m});
+    YieldInSpace yield(flyer());
+    flight.hold_other({0.36, 0.36});
+    flight.seen.others[1].hold = Vec3{0.3, 0.3, height_m - 0.7};
+    yield.engage(flight.observe());
+    flight.fly(yield, gate, 12);
+    EXPECT_GT(flight.away_m({0.3, 0.3}), 0.9);
+    EXPECT_FALSE(yield.blocked());
+    EXPECT_GT(flight.least_clear_m, 0.3 - 0.05);
+  }
+}
+
+// It asks the other one, where that holds on the side of the room.
+TEST(YieldInSpace, AsksWhoHoldsInItsWay) {
+  Flight flight({0.32, 0.32, height_m});
+  YieldInSpace yield(flyer());
+  flight.hold_other({0.3, 0.3});
+  flight.seen.others[1].hold = Vec3{0.36, 0.36, height_m - 0.7};
+  yield.engage(flight.observe());
+  flight.fly(yield, Gate::free, 12);
+  EXPECT_LT(flight.away_m({0.32, 0.32}), 0.05);
+  EXPECT_TRUE(yield.blocked());
+}
+
 TEST(YieldInSpace, StaysWhereItIsToldTo) {
   Flight flight({2, 1, height_m});
   YieldInSpace yield(flyer());

@@ -98,6 +98,26 @@ TEST(PlanExecutor, AnnouncesTheLease) {
   EXPECT_EQ(bench.fleet.points[0].said.lease_end_us, never_us);
 }
 
+// With the place that is held, once it is.
+TEST(PlanExecutor, AnnouncesTheHold) {
+  Bench bench;
+  bench.tasks.waiting[0] = {{5, 0}};
+  take_over(bench, 1, Reason::margin);
+  const std::optional<Vec3>& hold = bench.fleet.points[0].said.hold;
+  ASSERT_EQ(bench.run(1.5), Status::ok);
+  EXPECT_FALSE(hold);
+  Halt halt;
+  halt.place = {1, 2, 3};
+  bench.give_way[0].halts = halt;
+  ASSERT_EQ(bench.run(0.2), Status::ok);
+  EXPECT_FALSE(hold);
+  bench.give_way[0].halts->latched = true;
+  ASSERT_EQ(bench.run(0.2), Status::ok);
+  ASSERT_TRUE(hold);
+  EXPECT_EQ(hold->x, 1);
+  EXPECT_EQ(hold->z, 3);
+}
+
 // What a recovery says about itself is announced while it drives.
 TEST(PlanExecutor, AnnouncesTheRecovery) {
   Bench bench;

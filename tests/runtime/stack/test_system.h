@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rtac/stack/system.h"
@@ -112,6 +113,8 @@ class Brake : public SafeController<Acceleration> {
   Sample<Vec2> velocity_at_engagement, last_velocity;
   bool is_blocked = false, is_parked = false, on_errand = false, is_holding = true;
   Path way;
+  std::optional<Halt> halts;
+  [[nodiscard]] std::optional<Halt> halt() const override { return halts; }
   void engage(const Observation& seen) override {
     ++engaged;
     velocity_at_engagement = seen.velocity;

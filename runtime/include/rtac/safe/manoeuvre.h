@@ -11,6 +11,8 @@ namespace rtac::safe {
 
 // The other robot promised not to leave its hold before now, and says where that is.
 bool is_held(const Announcement& other, TimeUs now_us);
+// Where it stays, of one that is HELD: the place that it holds, or else where it is measured.
+Vec3 place_of_held(const Announcement& other);
 
 // A robot that goes first, is HELD and found no way past the others; -1: none.
 int asks_for_passage(const Observation& observation);
