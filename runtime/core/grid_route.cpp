@@ -179,16 +179,20 @@ int GridRoute::landing(const RouteQuery& query, Vec2 goal) const {
                                      [&](int cell) { return joins(query, goal, cell, false); }});
 }
 
-// Opens the cells at which a way may begin: the start's own, or all that join within reach, or else
-// the nearest one that does. Which of them is best, the search finds out.
+// Opens the cells at which a way may begin: the start's own,
+bool GridRoute::open_own_start(const RouteQuery& query, const Goal& goal) {
+  const int own = cell_of(query.start);
+  if (own < 0 || !joins(query, query.start, own, true)) return false;
+  open(goal, own, -1, norm(centre(own) - query.start));
+  return true;
+}
+
+// or all that join within reach, or else the nearest one that does. Which of them is best, the
+// search finds out.
 void GridRoute::open_starts(const RouteQuery& query, const Goal& goal) {
   const Vec2 p = query.start;
   const auto start_at = [&](int cell) { open(goal, cell, -1, norm(centre(cell) - p)); };
   const int own = cell_of(p);
-  if (own >= 0 && joins(query, p, own, true)) {
-    start_at(own);
-    return;
-  }
   if (!is_finite(p)) return;
   const double cell_m = zone_.cell_mm * m_per_mm, reach_m = connector_reach_m(cell_m);
   const int steps = static_cast<int>(std::ceil(reach_m / cell_m));
@@ -289,11 +293,25 @@ void GridRoute::open(const Goal& goal, int cell, int parent, double cost_m) {
   sift_up(place_in_heap_[at]);
 }
 
-bool GridRoute::search(const RouteQuery& query, const Goal& goal, int& last) {
+void GridRoute::forget() {
   std::fill(cost_.begin(), cost_.end(), unreached);
   std::fill(place_in_heap_.begin(), place_in_heap_.end(), -1);
   heap_size_ = 0;
+}
+
+bool GridRoute::begin_and_search(const RouteQuery& query, const Goal& goal, int& last) {
+  forget();
+  if (open_own_start(query, goal)) {
+    if (search(query, goal, last)) return true;
+    // beside another robot the middle of its cell may lie on the wrong side
+    if (goal.test == nullptr || query.recede_from.empty()) return false;
+    forget();
+  }
   open_starts(query, goal);
+  return search(query, goal, last);
+}
+
+bool GridRoute::search(const RouteQuery& query, const Goal& goal, int& last) {
   // Rounding of the costs may re-open a cell; the bound keeps the effort fixed all the same.
   std::size_t visits_left = 4 * cost_.size();
   while (heap_size_ > 0 && visits_left-- > 0) {
@@ -338,7 +356,7 @@ bool GridRoute::to_point(const RouteQuery& query, Vec2 goal, Path& way) {
   if (cost_.empty()) return false;
   const int aim = landing(query, goal);
   int last = -1;
-  if (aim < 0 || !search(query, {nullptr, aim, centre(aim)}, last)) return false;
+  if (aim < 0 || !begin_and_search(query, {nullptr, aim, centre(aim)}, last)) return false;
   trace(query, last, &goal, way);
   return true;
 }
@@ -346,7 +364,7 @@ bool GridRoute::to_point(const RouteQuery& query, Vec2 goal, Path& way) {
 bool GridRoute::to_place(const RouteQuery& query, const PlaceTest& test, Path& way) {
   if (cost_.empty()) return false;
   int last = -1;
-  if (!search(query, {&test, -1, {}}, last)) return false;
+  if (!begin_and_search(query, {&test, -1, {}}, last)) return false;
   trace(query, last, nullptr, way);
   return true;
 }

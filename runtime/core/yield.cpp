@@ -19,6 +19,19 @@ void YieldManoeuvre::engage(const Observation&) {
   held_since_us_ = wanting_since_us_ = next_look_us_ = never_us;
 }
 
+// One after the other: of two that set out at the same time each keeps the gate of the other one
+// closed, as neither holds any more.
+int YieldManoeuvre::makes_way_for(const Observation& observation) const {
+  for (int j = 0; j < observation.robots; ++j) {
+    const Announcement& other = observation.others[static_cast<std::size_t>(j)];
+    if (j == observation.self || other.position.stamp_us == never_us) continue;
+    const double distance_m = norm(other.position.value - observation.position.value);
+    const bool near = distance_m <= 2 * setting_.pass_gap_m;
+    if (near && goes_first(observation, j) && !is_held(other, observation.now_us)) return -1;
+  }
+  return asks_for_passage(observation);
+}
+
 bool YieldManoeuvre::must_back_off(const Observation& observation) const {
   bool somebody = false;
   for (int j = 0; j < observation.robots; ++j) {
@@ -53,7 +66,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
   if (now_us < next_look_us_) return;
   next_look_us_ = now_us + pace::look_every_us;
   cornered_ = false;
-  if (const int asker = asks_for_passage(observation); asker >= 0) {
+  if (const int asker = makes_way_for(observation); asker >= 0) {
     make_passage(observation, gate, asker);
   } else if (now_us - held_since_us_ >= patience_us && must_back_off(observation)) {
     back_off(observation);
@@ -65,7 +78,7 @@ void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_r
 void YieldManoeuvre::reconsider(const Observation& observation, Gate gate) {
   const TimeUs now_us = observation.now_us;
   next_look_us_ = now_us + pace::look_every_us;
-  const int asker = asks_for_passage(observation);
+  const int asker = makes_way_for(observation);
   const bool reason_left = asker >= 0 || must_back_off(observation);
   if (!reason_left || now_us - wanting_since_us_ > wanting_us_max) {
     start_waiting(observation);
@@ -92,9 +105,7 @@ void YieldManoeuvre::back_off(const Observation& observation) {
   }
   stay();
   if (aside.good_enough(observation.position.value)) return;
-  RouteQuery away = query(observation, false);
-  recede_from_held(observation, away);
-  if (route_.to_place(away, aside, way_)) return;
+  if (get_away(observation, aside)) return;
   stay();
   cornered_ = true;
 }

@@ -250,7 +250,7 @@ TEST_F(MakingRoom, OfAnythingButADistanceNothingIsShown) {
 // In space one may hold over the other in a corner, where there is room for both: a run starts
 // there.
 TEST_F(MakingRoom, InSpaceOneMayHoldOverTheOther) {
-  const std::string tall = spec_text("tests/compiler/verify/refuted/stacked.rta");
+  const std::string tall = spec_text("tests/compiler/verify/parting/stacked.rta");
   const std::string over = because(tall);
   EXPECT_NE(over.find("m), one over the other, may wait for each other for ever"),
             std::string::npos)

@@ -402,6 +402,21 @@ std::vector<std::string> names() {
 INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(names()),
                          [](const auto& spec) { return spec.param; });
 
+// Where robots wait for each other, and none of the runs that begin there shows that they do so for
+// ever.
+class Parted : public Shown, public ::testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Specs, Parted,
+                         ::testing::Values("by_ring", "in_aisle", "in_corner", "in_doorway",
+                                           "in_ring", "stacked"),
+                         [](const auto& spec) { return spec.param; });
+TEST_P(Parted, NoRunShowsThatTheyWaitForEver) {
+  const std::string path =
+      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/parting/" + GetParam() + ".rta";
+  const Outcome o = rtac({"verify", path, "--format", "json", "-o", "certificates"});
+  EXPECT_NE(o.status, exit_violation) << o.out << o.err;
+  EXPECT_EQ(o.out.find("\"refuted\""), std::string::npos) << o.out;
+}
+
 TEST(RefutedSpecs, AreTwentyOrMore) {
   EXPECT_GE(names().size(), 20u);
 }

@@ -109,6 +109,21 @@ TEST(GridRoute, RecedesFromHeldRobots) {
   EXPECT_FALSE(route.to_point(query, {0.5, 1.0}, way));
 }
 
+// Where no way leads on from the middle of its own cell, a way to a place begins with another one.
+TEST(GridRoute, RecedesFromWhereItIs) {
+  class Beyond : public PlaceTest {
+    [[nodiscard]] bool accepts(Vec2 place, double) const override {
+      return norm(place - Vec2{0.38, 0.38}) > 1;
+    }
+  };
+  GridRoute route(room().view());
+  Path way;
+  RouteQuery query{0.3, {0.38, 0.38}, {}, {}};
+  ASSERT_TRUE(query.recede_from.push({0.38, 0.38}));
+  ASSERT_TRUE(route.to_place(query, Beyond(), way));
+  EXPECT_GT(norm(way.points[0] - query.start), 0.04);
+}
+
 // A start too close to the wall is joined to the grid without getting closer to the wall.
 TEST(GridRoute, ConnectsAStartNearTheWall) {
   GridRoute route(room().view());

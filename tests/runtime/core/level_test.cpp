@@ -349,6 +349,22 @@ TEST(YieldInSpace, AsksWhoHoldsInItsWay) {
   EXPECT_TRUE(yield.blocked());
 }
 
+// Straight over each other in a corner: the middle of their cell is on the side of the corner, and
+// no way leads on from there.
+TEST(YieldInSpace, LeavesFromStraightOverTheOtherOne) {
+  Flight flight({0.36, 0.36, height_m});
+  YieldInSpace yield(flyer());
+  flight.hold_other({0.36, 0.36});
+  yield.engage(flight.observe());
+  flight.fly(yield, Gate::free, 1);
+  const std::optional<Halt> halt = yield.halt();
+  ASSERT_TRUE(halt && halt->latched);
+  flight.seen.others[1].hold = Vec3{halt->place.x, halt->place.y, height_m - 0.7};
+  flight.fly(yield, Gate::away_only, 12);
+  EXPECT_GT(flight.away_m({0.36, 0.36}), 0.9);
+  EXPECT_GT(flight.least_clear_m, 0.3 - 0.05);
+}
+
 TEST(YieldInSpace, StaysWhereItIsToldTo) {
   Flight flight({2, 1, height_m});
   YieldInSpace yield(flyer());

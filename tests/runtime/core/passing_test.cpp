@@ -23,10 +23,15 @@ const test::TestZone& corridor() {
                                      {0, 1000}}});
   return zone;
 }
-Setting cart() {
+// 8 m x 2.5 m
+const test::TestZone& aisle() {
+  static const test::TestZone zone({{{0, 0}, {8000, 0}, {8000, 2500}, {0, 2500}}});
+  return zone;
+}
+Setting cart(const test::TestZone& zone = corridor()) {
   Setting s;
   s.limits = test::cart_limits(), s.period_us = 100'000, s.speed_mps = 0.15;
-  s.zone = &corridor().view();
+  s.zone = &zone.view();
   s.route_clearance_m = 0.2, s.return_clearance_m = 0.45, s.pass_gap_m = 0.7;
   return s;
 }
@@ -107,6 +112,31 @@ TEST_P(Passing, ACorneredRobotAsksTheOther) {
   }
   EXPECT_GT(norm(first.plant.p - second.plant.p), 0.7);
   EXPECT_GT(least, 0.45 - 0.02);
+}
+
+// Before both walls of an aisle, nearer to them than ways over cells lead: each of them comes
+// nearer to the other one as it makes for a cell. One goes along its wall.
+TEST_P(Passing, TwoAcrossAnAisleGetApart) {
+  Setting wide = cart(aisle());
+  wide.route_clearance_m = 0.7, wide.pass_gap_m = 1.6;
+  Yield<Twist> a(wide), b(wide);
+  Member first{{test::cart_limits(), {0.8, 0.6}}, &a},
+      second{{test::cart_limits(), {0.8, 1.9}}, &b};
+  a.engage(first.plant.observe());
+  b.engage(second.plant.observe());
+  first.plant.noise.seed(GetParam());
+  second.plant.noise.seed(100 + GetParam());
+  double least = 9, clearance = 9;
+  for (int i = 0; i < 600; ++i) {
+    first.tick(second, 1);
+    second.tick(first, 0);
+    least = std::min(least, norm(first.plant.p - second.plant.p));
+    clearance = std::min({clearance, signed_clearance(aisle().view(), first.plant.p),
+                          signed_clearance(aisle().view(), second.plant.p)});
+  }
+  EXPECT_GT(norm(first.plant.p - second.plant.p), 1.6);
+  EXPECT_GT(least, 1.3 - 0.05);
+  EXPECT_GT(clearance, 0.6 - 0.05);
 }
 
 // Two robots that hold too close to each other get apart: only the first of the order moves.

@@ -479,6 +479,26 @@ TEST(Yield, GoesToThePassingPlace) {
   EXPECT_TRUE(yield.holding());
 }
 
+// Of two that are asked the first in the order makes room first: at the same time each would keep
+// the other one from moving.
+TEST(Yield, WaitsForWhoMakesRoomFirst) {
+  Plant<Twist> plant(test::cart_limits(), {3.0, 0.5});
+  plant.seen.self = 2;
+  place_other(plant.seen, 0, {1.8, 0.5}, always);
+  place_other(plant.seen, 1, {2.4, 0.5}, never_us);
+  plant.seen.robots = 3;
+  plant.seen.others[0].blocked = true;
+  ASSERT_TRUE(plant.seen.others[0].plan.points.push({7, 0.3}));
+  Yield<Twist> yield(cart(corridor().view()));
+  yield.engage(plant.observe());
+  for (int i = 0; i < 100; ++i) tick(yield, plant, Gate::away_only, 100'000);
+  EXPECT_TRUE(yield.holding());
+  EXPECT_LT(norm(plant.p - Vec2{3.0, 0.5}), 0.01);
+  plant.seen.others[1].lease_end_us = always;
+  for (int i = 0; i < 400; ++i) tick(yield, plant, Gate::away_only, 100'000);
+  EXPECT_GE(distance_to_segment(plant.p, {1.8, 0.5}, {7, 0.3}), 0.65);
+}
+
 // A robot with the stronger claim does not leave its place for one that asks.
 TEST(Yield, StaysWhenItOutranks) {
   Plant<Twist> plant(test::cart_limits(), {3.0, 0.5});

@@ -48,7 +48,8 @@ class GridRoute {
   // way shortest and can be reached straight without losing clearance; when there is none, to the
   // nearest one farther off, as is a goal.
   bool to_point(const RouteQuery& query, Vec2 goal, Path& way);
-  // The same to the nearest place, along the way, that `test` accepts.
+  // The same to the nearest place, along the way, that `test` accepts. Where it may only recede and
+  // no way leads on from the middle of its own cell, it looks for one from those within reach.
   bool to_place(const RouteQuery& query, const PlaceTest& test, Path& way);
   // The nearest place that `test` accepts and that can be reached in one straight leg on which the
   // clearance stays at least `floor_m`.
@@ -75,8 +76,11 @@ class GridRoute {
   [[nodiscard]] int nearest_cell(Vec2 p, const Accept& accept) const;
   [[nodiscard]] bool joins(const RouteQuery& query, Vec2 p, int cell, bool leaving) const;
   [[nodiscard]] int landing(const RouteQuery& query, Vec2 goal) const;
+  bool open_own_start(const RouteQuery& query, const Goal& goal);
   void open_starts(const RouteQuery& query, const Goal& goal);
   void open(const Goal& goal, int cell, int parent, double cost_m);
+  void forget();
+  bool begin_and_search(const RouteQuery& query, const Goal& goal, int& last);
   bool search(const RouteQuery& query, const Goal& goal, int& last);
   void relax(const RouteQuery& query, const Goal& goal, int from);
   void trace(const RouteQuery& query, int last, const Vec2* end, Path& way);

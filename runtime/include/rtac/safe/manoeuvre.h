@@ -43,6 +43,9 @@ class Manoeuvre {
   }
   // A query from the present position; HELD robots as circles of the pass gap, if wanted.
   [[nodiscard]] RouteQuery query(const Observation& observation, bool around_held) const;
+  // Heads for the nearest place that nobody is near, and nowhere nearer to HELD robots: over cells,
+  // or first along the wall, where it stands too near to that for cells to lead on.
+  bool get_away(const Observation& observation, const PlaceTest& aside);
   // Heads for the nearest place out of the way of a robot that asks for passage; stays when this is
   // one already, or when there is none.
   void make_passage(const Observation& observation, Gate gate, int asker);
@@ -50,6 +53,9 @@ class Manoeuvre {
   Setting setting_;
   GridRoute route_;
   Path way_;
+
+ private:
+  bool leave_along_wall(const RouteQuery& away, const PlaceTest& aside);
 };
 
 // Stands where the pilot has brought it to rest; makes way for nobody.
@@ -148,6 +154,8 @@ class YieldManoeuvre : public Manoeuvre {
   [[nodiscard]] bool blocked() const override { return cornered_; }
 
  private:
+  // The robot that it makes way for; -1: none.
+  [[nodiscard]] int makes_way_for(const Observation& observation) const;
   // This robot has to make the room: all close robots are HELD, and it goes first.
   [[nodiscard]] bool must_back_off(const Observation& observation) const;
   void back_off(const Observation& observation);
