@@ -221,7 +221,7 @@ TEST_F(Lasting, AnEndInSightTakesOneLeg) {
 // Of a corner a retreat tries so many cells that few more would be too many: what the recheck
 // cannot tell from a cell that is tried counts as one, so that a claim is always found once more.
 TEST_F(Lasting, ALegAcrossManyCellsIsFoundOnceMore) {
-  for (const char* const back : {"2.481 m", "2.681 m", "2.881 m"}) {
+  for (const char* const back : {"2.467 m", "2.667 m", "2.867 m"}) {
     prove(R"(spec far;
 zone yard = polygon [(0 m, 0 m), (9 m, -3 m), (22 m, 5 m), (16 m, 17 m), (3 m, 11 m)];
 site dock = (9 m, 6 m);
