@@ -179,7 +179,7 @@ int GridRoute::landing(const RouteQuery& query, Vec2 goal) const {
                                      [&](int cell) { return joins(query, goal, cell, false); }});
 }
 
-// Opens the cells at which a way may begin: the start's own,
+// Opens the cell of the start, if a way may begin there.
 bool GridRoute::open_own_start(const RouteQuery& query, const Goal& goal) {
   const int own = cell_of(query.start);
   if (own < 0 || !joins(query, query.start, own, true)) return false;
@@ -187,13 +187,13 @@ bool GridRoute::open_own_start(const RouteQuery& query, const Goal& goal) {
   return true;
 }
 
-// or all that join within reach, or else the nearest one that does. Which of them is best, the
-// search finds out.
+// Opens the cells at which a way may begin: all that join within reach, or else the nearest one
+// that does. Which of them is best, the search finds out.
 void GridRoute::open_starts(const RouteQuery& query, const Goal& goal) {
   const Vec2 p = query.start;
+  if (!is_finite(p)) return;
   const auto start_at = [&](int cell) { open(goal, cell, -1, norm(centre(cell) - p)); };
   const int own = cell_of(p);
-  if (!is_finite(p)) return;
   const double cell_m = zone_.cell_mm * m_per_mm, reach_m = connector_reach_m(cell_m);
   const int steps = static_cast<int>(std::ceil(reach_m / cell_m));
   if (own >= 0) {
