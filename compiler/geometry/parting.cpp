@@ -465,7 +465,7 @@ class Search {
   // As the search looks.
   bool may_leave(int cell, const Patch& one, Robot other) {
     const Box here = box_of(one.spot), there = box_of(other.patch.spot);
-    if (is_clear(cell) && recedes(middle(cell), here, there)) return leads(cell, other);
+    if (is_clear(cell) && recedes(middle(cell), here, there) && leads(cell, other)) return true;
     std::optional<Connectors::Spot> spot;
     const auto sees = [&](Vec c) {
       const double half = one.spot.side_mm / 2;
@@ -490,10 +490,7 @@ class Search {
   bool leaves(Robot one, Robot other, int halvings) {
     const Box here = box_of(one.patch.spot), there = box_of(other.patch.spot);
     if (farthest_squared(here, there) < squared(query_.nearest_mm)) return true;
-    if (begins(one, other) &&
-        some_leg(one, other, [&](Vec c) { return recedes(c, here, there); })) {
-      return true;
-    }
+    if (some_leg(one, other, [&](Vec c) { return recedes(c, here, there); })) return true;
     const Octants off = octants(here, there);
     if (std::all_of(off.begin(), off.end(),
                     [&](const Octant& o) { return leaves_along(one, other, o); })) {
@@ -508,14 +505,9 @@ class Search {
   }
   bool leaves_along(Robot one, Robot other, const Octant& off) {
     const Box here = box_of(one.patch.spot);
-    if (!begins(one, other) && !comes_nearer(middle(one.cell), here, off)) return false;
     return some_leg(one, other, [&](Vec c) { return recedes(c, here, off); });
   }
-  // Where its own cell is clear enough and the leg to the middle of that recedes, the search begins
-  // with that alone.
-  bool begins(Robot one, Robot other) {
-    return !may_be_clear(one.cell) || leads_if_joined(one.cell, one, other);
-  }
+  // The search begins with its own cell, and with all within reach where that leads to nothing.
   bool leads_if_joined(int cell, Robot one, Robot other) {
     return leads(cell, other) ||
            comes_nearer(middle(cell), box_of(one.patch.spot), box_of(other.patch.spot));

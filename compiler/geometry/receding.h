@@ -92,14 +92,6 @@ inline bool recedes(Vec c, const Box& from, const Octant& off) {
     return recedes(x, y);
   });
 }
-// Nearer, or nowhere at all.
-inline bool comes_nearer(Vec c, const Box& from, const Octant& off) {
-  return std::all_of(off.begin(), off.end(), [&](Vec v) {
-    const double x = v.x * (c.x - from.middle.x) + std::abs(v.x) * from.half;
-    const double y = v.y * (c.y - from.middle.y) + std::abs(v.y) * from.half;
-    return x <= 0 && y <= 0;
-  });
-}
 // Some of them.
 struct Octants {
   std::array<Octant, 8> all;

@@ -322,12 +322,7 @@ class Partings {
     if (leaves(one, here, other, there, quarters_max)) return true;
     if (leaves(other, there, one, here, quarters_max)) return true;
     // or else the one does where it is on one side, and the other one elsewhere
-    constexpr std::array<Side, 4> sides{{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
-    const bool either = std::ranges::all_of(sides, [&](Side side) {
-      return joins_well(one, here, other, there, side) ||
-             joins_well(other, there, one, here, Side{-side.x, -side.y});
-    });
-    if (either) return true;
+    if (either_leaves(one, here, other, there)) return true;
     if (times == 0 || steps_ > steps_max) return false;
     for (const Box& a : quarters(here)) {
       if (holds_nobody(site(one), a)) continue;
@@ -338,30 +333,45 @@ class Partings {
     }
     return true;
   }
+  bool either_leaves(int one, const Box& here, int other, const Box& there) {
+    constexpr std::array<Side, 4> sides{{{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
+    constexpr std::array axes{Axis::x, Axis::y};
+    return std::ranges::all_of(sides, [&](Side side) {
+      const Side back{-side.x, -side.y};
+      const auto goes = [&](Place c) { return recedes(c, here, there, side); };
+      const auto comes = [&](Place c) { return recedes(c, there, here, back); };
+      if (joins_well(one, here, other, there, goes)) return true;
+      if (joins_well(other, there, one, here, comes)) return true;
+      return std::ranges::all_of(axes, [&](Axis axis) {
+        const auto one_goes = [&](Place c) { return recedes(c, here, side, axis); };
+        const auto other_goes = [&](Place c) { return recedes(c, there, back, axis); };
+        return joins_well(one, here, other, there, one_goes) ||
+               joins_well(other, there, one, here, other_goes);
+      });
+    });
+  }
   bool leaves(int one, const Box& here, int other, const Box& there, int times) {
     if (holds_nobody(site(one), here) || farthest(here, there) < limits_.nearest) return true;
-    if (joins_well(one, here, other, there)) return true;
+    const auto recedes_from_all = [&](Place c) { return recedes(c, here, there); };
+    if (joins_well(one, here, other, there, recedes_from_all)) return true;
     if (times == 0 || steps_ > steps_max) return false;
     return std::ranges::all_of(quarters(here), [&](const Box& quarter) {
       return leaves(one, quarter, other, there, times - 1);
     });
   }
-  // The search begins with its own cell alone, where that is clear and the way to its middle
-  // recedes; else with all that are near, or else with the nearest one that it can join to.
-  bool joins_well(int one, const Box& here, int other, const Box& there,
-                  std::optional<Side> side = {}) {
+  // The search begins with its own cell, with all that are near where that leads to nothing, or
+  // else with the nearest one that it can join to.
+  template <class Away>
+  bool joins_well(int one, const Box& here, int other, const Box& there, const Away& away) {
     const Site& s = site(one);
     Ways& known = ways(other, there);
     const auto harmless = [&](int cell) {
       return leads(cell, other, there, known) || comes_nearer(middle(box(cell)), here, there);
     };
-    if (may_be_clear(one) && !harmless(one)) return false;
     const auto goes = [&](int cell) {
       ++steps_;
       if (!clear(cell)) return false;
-      const Place c = middle(box(cell));
-      const bool away = side ? recedes(c, here, there, *side) : recedes(c, here, there);
-      return away && leads(cell, other, there, known);
+      return away(middle(box(cell))) && leads(cell, other, there, known);
     };
     const auto joins = [&](int cell) { return goes(cell) && keeps(s, here, middle(box(cell))); };
     if (std::ranges::any_of(s.joined, joins)) return true;
@@ -486,7 +496,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   if (yield == nullptr || yield->zone != *zone) return wrong("its recovery makes no room there");
   const auto robots = std::ranges::count_if(
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
-  if (robots != 2 || kind.open_fleet || kind.in_space) return wrong("they are no two in the plane");
+  if (robots != 2 || kind.open_fleet) return wrong("they are no two");
   if (!drives_alone(spec, d, claims, m)) return wrong("another recovery may drive instead");
   const auto asked = apart_by(spec, *m.always);
   if (!asked) return wrong("its property asks for more than a distance from other robots");
@@ -500,21 +510,28 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   // at rest, with the other one somewhere around where it was measured and holds
   const Rational held = n.radius + 2 * n.position_error + n.hold + *asked;
   const Rational back = claims.return_clearance(d, m, micro(*extra)) + held;
-  if (milli(*gap) < back) return wrong("control may not be given back at that distance");
+  const auto* const too_near_to_return = "control may not be given back at that distance";
+  if (milli(*gap) < back) return wrong(too_near_to_return);
   // who is as far off as others make way to stays where it is; and who is given back needs no way,
   // wherever both are measured then about the places that they hold
   const Rational span = n.sway > 0 ? 2 * n.sway : Rational(2 * n.position_error + n.hold);
-  const Rational stays = milli(*gap) + n.position_error, need_not = back + 2 * span;
+  // in space they look at where both hold, and each is measured within its sway of that
+  const Rational need_not = back + (kind.in_space ? Rational(2 * n.sway) : Rational(2 * span));
+  const Rational stays = milli(*gap) + n.position_error;
+  if (kind.in_space && stays < need_not) return wrong(too_near_to_return);
   if (milli(*apart) < std::min(stays, need_not)) {
     return wrong("robots that are nearer to each other may have to part, too");
   }
   const geometry::Region* const region = claims.zones().region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
   const double error = n.position_error.get_d(), far = milli(*gap).get_d();
-  const double body = std::max(0.0, n.radius.get_d() - error);
+  // in space one may hold straight over the other one
+  const double off = kind.in_space ? n.sway.get_d() : error;
+  const double body = std::max(0.0, n.radius.get_d() - off);
+  const double nearest = kind.in_space ? 0 : 2 * body;
   const auto found = without_parting(
       *region, {*cell, *x, *y},
-      {milli(*route).get_d(), body, 2 * body, milli(*apart).get_d(), far + 3 * error});
+      {milli(*route).get_d(), body, nearest, milli(*apart).get_d(), far + 3 * error});
   const auto* const meeting = std::get_if<Meeting>(&found);
   if (meeting == nullptr) return wrong("the cells are not those of the zone, or too many");
   if (!*meeting) return std::nullopt;

@@ -55,6 +55,14 @@ bool recedes(Place c, const Box& from, const Box& other, Side side) {
   const double on_y = least(c.y, from.y, from.top, *off_y);
   return on_x + on_y >= slack_square || (on_x >= 0 && on_y >= 0);
 }
+// What recedes in both directions does in all between.
+bool recedes(Place c, const Box& from, Side side, Axis axis) {
+  constexpr double slack = 1e-6;  // m, of the doubles of the runtime
+  const double on_x = std::min(side.x * (c.x - from.x), side.x * (c.x - from.right));
+  const double on_y = std::min(side.y * (c.y - from.y), side.y * (c.y - from.top));
+  if (on_x >= 0 && on_y >= 0) return true;
+  return (axis == Axis::x ? on_x : on_y) >= slack && on_x + on_y >= slack;
+}
 // Of one axis the product is the largest halfway between c and q.
 bool comes_nearer(Place c, const Box& from, const Box& other) {
   const auto most = [](double to, double low, double high, double q) {

@@ -16,6 +16,10 @@ struct Side {
 };
 // As above where p is on that side of q, also if it is on none: then it is nowhere there.
 bool recedes(Place c, const Box& from, const Box& other, Side side);
+// The same of all q that p is off in a direction between that side's diagonal and one of its axes,
+// however near to it.
+enum class Axis { x, y };
+bool recedes(Place c, const Box& from, Side side, Axis axis);
 // It falls at first, for all of them.
 bool comes_nearer(Place c, const Box& from, const Box& other);
 

@@ -43,12 +43,14 @@ std::int64_t kept_mm(const ir::Decision& d, const ir::Monitor& m) {
 }
 
 // From how far on two robots that hold are given back, as they are measured at any time: at rest,
-// and measured anew all along, each at one end of its sway and then at the other one.
+// and measured anew all along, each at one end of its sway and then at the other one; in space,
+// where they look at the places that they hold, each within its sway of that.
 std::int64_t given_back_mm(const ir::Decision& d, const ir::Monitor& m) {
   const ir::Body& b = d.body;
   const std::int64_t other_mm = 2 * b.position_error_mm + b.hold_mm;
   const std::int64_t span_mm = b.sway_mm > 0 ? 2 * b.sway_mm : 2 * b.position_error_mm + b.hold_mm;
-  constexpr std::int64_t rounding_mm = 4;  // of both samples, and of the distance
+  const std::int64_t rounding_mm = b.in_space ? 7 : 4;  // of both samples, and of the distance
+  if (b.in_space) return kept_mm(d, m) + other_mm + 2 * b.sway_mm + rounding_mm;
   return kept_mm(d, m) + other_mm + 2 * span_mm + rounding_mm;
 }
 
@@ -61,9 +63,12 @@ geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   };
   const ir::Recovery& yield = ir::last_step(m.recovery);
   const std::int64_t error_mm = d.body.position_error_mm;
+  // how far from where it truly is the place is that it looks from; in space one may hold straight
+  // over the other one
+  const std::int64_t off_mm = d.body.in_space ? d.body.sway_mm : error_mm;
   return {.clearance_mm = mm(yield.route_clearance_mm),
-          .body_mm = mm(d.body.radius_mm - error_mm),
-          .nearest_mm = mm(2 * (d.body.radius_mm - error_mm)),
+          .body_mm = mm(d.body.radius_mm - off_mm),
+          .nearest_mm = d.body.in_space ? 0 : mm(2 * (d.body.radius_mm - error_mm)),
           .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, given_back_mm(d, m))),
           .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1),
           .stands_mm = mm(d.body.radius_mm + error_mm),
@@ -137,7 +142,6 @@ std::string more_than_two(const Subject& s, std::size_t k) {
     return "of " + std::to_string(s.decision.robots) +
            " robots one may hold in the way of two others";
   }
-  if (s.decision.body.in_space) return "one robot may hold over the other, in a corner";
   return "";
 }
 
@@ -286,13 +290,23 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.method = "no proof";
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s, s.decision.monitors[k]);
+  if (s.decision.body.in_space && yield.pass_gap_mm + s.decision.body.position_error_mm <
+                                      given_back_mm(s.decision, s.decision.monitors[k])) {
+    o.because = "robots that hold " + metres(yield.pass_gap_mm) +
+                " from each other, as far as others make way, may be measured too near to each "
+                "other for control to be given back";
+    return o;
+  }
   const std::string more = more_than_two(s, k);
   NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
   const auto [other, told] = drives_instead(s, k);
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
   o.because = none.why;
-  if (!none.why.empty()) return unless_locked(s, yield, std::move(none.starts), std::move(o));
+  if (!none.why.empty()) {
+    if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
+    return unless_locked(s, yield, std::move(none.starts), std::move(o));
+  }
   if (const std::int64_t us = heard_by_us(s); s.decision.body.hears_age_us < us) {
     o.because =
         "robots may never know where the other one is: what they hear may be older than `hears` "

@@ -248,6 +248,7 @@ TEST(Parting, InADeadEndOfALargeBasin) {
 TEST(Parting, OfTooManyPairsIsNotLookedAt) {
   PartingQuery far = cart;
   far.apart_mm = 9000, far.goal_mm = 9060;
+  far.each_alone = true;
   EXPECT_EQ(parting_in(box(0, 0, 19'900, 19'900), far).how, Parting::How::too_large);
 }
 
