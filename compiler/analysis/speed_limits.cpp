@@ -308,6 +308,12 @@ bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
   return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
 }
 
+bool holds_while_driving(const ir::Decision& decision, std::size_t k, const ir::Monitor& monitor) {
+  return holds_at_rest(decision, monitor) &&
+         asks_for_no_more_than(fastest_while_driving(decision, k), monitor.property,
+                               monitor.property.result);
+}
+
 bool holds_standing(const ir::Monitor& monitor) {
   return asks_for_no_more_than(0, monitor.property, monitor.property.result);
 }

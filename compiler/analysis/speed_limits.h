@@ -25,6 +25,10 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
 // given back: as it asks for no more than to be slow, or one side of its `or` does.
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
 
+// Whether it fulfils the property of `monitor` wherever it is while the recovery of monitor `k`
+// drives, and is given back wherever that has come to rest.
+bool holds_while_driving(const ir::Decision& decision, std::size_t k, const ir::Monitor& monitor);
+
 // Whether it fulfils the property there, though it may not be given back.
 bool holds_standing(const ir::Monitor& monitor);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -106,7 +107,10 @@ std::int64_t standoff_of(const ir::Block& property, const std::vector<ir::Param>
 std::int64_t standoff_in(const ir::Decision& decision, const ir::Monitor& own, ir::ZoneIndex zone,
                          const HowItLies& lies) {
   std::int64_t most = 0;
+  const auto k = static_cast<std::size_t>(&own - decision.monitors.data());
   for (const ir::Monitor& m : decision.monitors) {
+    // slow enough, it need not keep away from anything
+    if (holds_while_driving(decision, k, m)) continue;
     most = std::max(most, standoff_of(m.property, decision.facts.params,
                                       m.recovery.name == own.recovery.name, zone, lies));
   }

@@ -394,6 +394,17 @@ Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
 
 namespace {
 
+// Another recovery may drive instead, which leads on from where that of monitor `k` leads no
+// further.
+bool may_be_led_on(const ir::Decision& d, std::size_t k) {
+  const std::size_t many = d.coordinated ? d.monitors.size() : k;
+  return std::any_of(d.monitors.begin(), d.monitors.begin() + std::ptrdiff_t(many),
+                     [&](const ir::Monitor& m) {
+                       return m.recovery.name != d.monitors[k].recovery.name &&
+                              ir::last_step(m.recovery).kind != ir::RecoveryKind::brake;
+                     });
+}
+
 // A monitor that asks for more than its property, to let go.
 Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
@@ -419,7 +430,7 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
     open.place_mm = m.returns.stuck_mm;
     // the condition may hold on the way to the site
     const bool routes = ir::last_step(m.recovery).kind == ir::RecoveryKind::route;
-    open.by_a_run = routes;
+    open.by_a_run = routes || may_be_led_on(s.decision, k);
     open.because = "at rest at (" + metres(open.place_mm->first) + ", " +
                    metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +
                    " leads no further, and `return when` of " + quoted(m.name) +

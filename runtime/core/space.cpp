@@ -304,6 +304,10 @@ Vec3 Carried::set_out_from(const Observation& observation) const {
   return position_of(observation);
 }
 
+Vec3 Carried::recede_from(const Announcement& other) const {
+  return position_of(other);
+}
+
 Vec3 Carried::on_leg(const Observation& observation) const {
   const Vec3 here = position_of(observation);
   if (!pilot_.latched() || (returning_ && leads_)) return here;
@@ -360,7 +364,8 @@ bool Carried::allowed(const Observation& observation, Gate gate) const {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;
-    if (!(inner(way, from - place_of_held(other)) >= 0)) return false;
+    const Vec3 there = back ? place_of_held(other) : recede_from(other);
+    if (!(inner(way, from - there) >= 0)) return false;
   }
   return true;
 }

@@ -7,6 +7,9 @@ namespace {
 
 // Time for the other robots to notice the hold and go on, before this one makes room.
 constexpr TimeUs patience_us = 2'000'000;
+// Who goes first may be led by another recovery, which tries again and again to pass where this one
+// holds: after that time it makes room though it does not go first. Longer than any other wait.
+constexpr TimeUs long_patience_us = 20'000'000;
 // Longest time without a lease: after it the wish is given up, so that the others may rely on the
 // hold again.
 constexpr TimeUs wanting_us_max = 10'000'000;
@@ -32,6 +35,10 @@ int YieldManoeuvre::makes_way_for(const Observation& observation) const {
   return asks_for_passage(observation);
 }
 
+bool YieldManoeuvre::waits_in_vain(const Observation& observation) const {
+  return held_since_us_ != never_us && observation.now_us - held_since_us_ >= long_patience_us;
+}
+
 bool YieldManoeuvre::must_back_off(const Observation& observation) const {
   bool somebody = false;
   for (int j = 0; j < observation.robots; ++j) {
@@ -39,7 +46,9 @@ bool YieldManoeuvre::must_back_off(const Observation& observation) const {
     if (j == observation.self || other.position.stamp_us == never_us) continue;
     const double distance_m = norm(other.position.value - observation.position.value);
     if (distance_m > 2 * setting_.pass_gap_m) continue;
-    if (!is_held(other, observation.now_us) || goes_first(observation, j)) return false;
+    const bool holds = is_held(other, observation.now_us);
+    const bool in_vain = distance_m <= setting_.pass_gap_m && waits_in_vain(observation);
+    if (!in_vain && (!holds || goes_first(observation, j))) return false;
     somebody = true;
   }
   return somebody;

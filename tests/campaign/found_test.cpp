@@ -23,7 +23,8 @@ INSTANTIATE_TEST_SUITE_P(All, Found,
                          ::testing::Values("weak_steering", "noisy_hold", "mixed_pair",
                                            "poor_actuator", "two_recoveries", "stopped_climb",
                                            "stopped_pair", "hard_brake", "short_of_room",
-                                           "sways_at_dock", "moved_on", "unequal_return"),
+                                           "sways_at_dock", "tries_to_pass", "moved_on",
+                                           "unequal_return"),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

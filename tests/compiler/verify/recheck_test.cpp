@@ -573,11 +573,11 @@ monitor in_south for d : Drone { "SR-3: in the south" always d inside south; rec
 }
 class RecheckCoordinated : public Recheck {
  protected:
-  void write_certificates(const std::string& clause) {
+  void write_certificates(const std::string& clause, int status = exit_clean) {
     const std::string text =
         edited(two_sides(clause.find("south") != std::string::npos), "priority walls;", clause);
     const Outcome o = verified(text, {"-o", "certificates"});
-    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    ASSERT_EQ(o.status, status) << o.out << o.err;
     report_ = Json::parse(read("certificates/verification.json"));
   }
   // What is claimed of a monitor while a recovery drives.
@@ -617,8 +617,9 @@ TEST_F(RecheckCoordinated, ItTakesADecisionThatCoordinates) {
 TEST_F(RecheckCoordinated, ACircleIsNoticed) {
   write_certificates(
       "coordinate walls > in_west > in_south; acknowledge back_off may break in_south \"a test\"; "
-      "acknowledge go_west may break in_south \"a test\";");
-  EXPECT_EQ(rechecked().status, exit_clean);
+      "acknowledge go_west may break in_south \"a test\";",
+      exit_inconclusive);  // they let go before both zones hold, so that switching is not shown
+  EXPECT_EQ(rechecked().status, exit_inconclusive);
   Json& forged = pair("in_south", "go_west");
   EXPECT_EQ(forged["status"], "acknowledged");
   forged["status"] = "proved";

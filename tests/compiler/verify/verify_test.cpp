@@ -330,6 +330,59 @@ decision drive for Cart { advanced nav; period 50 ms; priority off > walls; }
   EXPECT_EQ(statuses(there.out, "switching", ""), Statuses{"proved"}) << there.out;
   EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
 }
+// `back` is slower than `calm` asks for anywhere: where it leads need not be three metres off.
+TEST_F(Verify, WhoIsSlowEnoughKeepsNoDistanceBesides) {
+  const std::string text = R"(spec slow;
+zone field = rectangle (0 m, 0 m) to (30 m, 20 m);
+zone well = circle (10 m, 10 m) radius 1 m;
+zone open_field = field - circle (10 m, 10 m) radius 2 m - rectangle (22 m, 4 m) to (26 m, 9 m);
+robot Rover {
+  body radius 30 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 60 ms;
+  sense velocity : vector error 2 cm/s max_age 60 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet rover : Rover;
+controller nav : advanced for Rover extern;
+controller back : safe for Rover = retreat within open_field speed 0.4 m/s;
+monitor keep for r : Rover { "S-1: off the well" always r inside open_field; recover back; }
+monitor calm for r : Rover { "S-2: slow near it" always r.speed <= 0.8 m/s or distance(r, well) >= 3 m; recover back; }
+decision drive for Rover { advanced nav; period 50 ms; priority keep > calm; }
+)";
+  const Outcome o = verified(text, {"-o", "shown"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(o.err.find("5020"), std::string::npos) << o.err;
+  EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
+  // faster than that, it has to
+  const Outcome fast = verified(edited(text, "r.speed <= 0.8", "r.speed <= 0.3"), {});
+  EXPECT_NE(fast.status, exit_clean) << fast.out;
+}
+// Who outranks it leads on from where `out` leads no further.
+TEST_F(Verify, WhereAnotherRecoveryLeadsOnNobodyIsStuck) {
+  const Outcome o = verified(R"(spec on;
+zone yard = rectangle (0 m, 0 m) to (20 m, 20 m);
+zone east = rectangle (9 m, 0 m) to (20 m, 20 m);
+robot Cart {
+  body radius 25 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 60 ms;
+  sense velocity : vector error 2 cm/s max_age 60 ms;
+  output push : acceleration;
+  latency 30 ms;
+}
+fleet cart : Cart;
+controller nav : advanced for Cart extern;
+controller out : safe for Cart = retreat within yard speed 0.3 m/s;
+controller in : safe for Cart = retreat within east speed 0.3 m/s;
+monitor yards for c : Cart { "O-1" always c inside yard; recover out; return when clearance(c, east) >= 10 cm; }
+monitor easts for c : Cart { "O-2" always c inside east; recover in; }
+decision drive for Cart { advanced nav; period 50 ms; priority easts > yards; }
+)",
+                             {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2b", "yards"), Statuses{"unknown"}) << o.out;
+}
 // Of two halls that overlap, either recovery leads on along the same way where the other one has
 // let go, if both stay where they do.
 TEST_F(Verify, RecoveriesThatLeadTheSameWayDoNotTakeOverForEver) {

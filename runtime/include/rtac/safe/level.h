@@ -77,6 +77,9 @@ class Level final : public Carried {
   [[nodiscard]] Vec3 set_out_from(const Observation& observation) const override {
     return on_leg(observation);
   }
+  [[nodiscard]] Vec3 recede_from(const Announcement& other) const override {
+    return place_of_held(other);
+  }
   void leg_ended() override { ++plan_.way().index; }
   // Nothing leads from there to its way any more.
   void carried_off() override {

@@ -156,7 +156,10 @@ class YieldManoeuvre : public Manoeuvre {
  private:
   // The robot that it makes way for; -1: none.
   [[nodiscard]] int makes_way_for(const Observation& observation) const;
-  // This robot has to make the room: all close robots are HELD, and it goes first.
+  // Nobody has made way for as long as any other wait lasts.
+  [[nodiscard]] bool waits_in_vain(const Observation& observation) const;
+  // This robot has to make the room: all close robots are HELD, and it goes first, or has waited
+  // for those that do in vain.
   [[nodiscard]] bool must_back_off(const Observation& observation) const;
   void back_off(const Observation& observation);
   void reconsider(const Observation& observation, Gate gate);

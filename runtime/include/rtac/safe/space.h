@@ -26,8 +26,10 @@ class Carried : public SafeController<Acceleration> {
   virtual void choose(const Observation& observation, Gate gate);
   // Where to go from a place of rest, once a second at most; nowhere: it stays.
   virtual void look(TimeUs /*now_us*/, Vec3 /*from*/, Legs& /*legs*/) {}
-  // The place from which the gate may ask that it only recedes.
+  // The places from which, and away from which, the gate may ask that it recedes: where both robots
+  // are measured, or where both holds are. What lasts, such as wind, moves both of them alike.
   [[nodiscard]] virtual Vec3 set_out_from(const Observation& observation) const;
+  [[nodiscard]] virtual Vec3 recede_from(const Announcement& other) const;
   virtual void leg_ended() {}
   // It rests further off its leg than a stop explains.
   virtual void carried_off() {}
