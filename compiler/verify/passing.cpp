@@ -169,6 +169,11 @@ std::optional<Start> near_start(const Subject& s, const ir::Monitor& m,
   }
   geometry::PartingQuery near = query;
   near.apart_mm = static_cast<std::int32_t>(std::max<std::int64_t>(near_mm, 0));
+  // no run begins where the property is false, or where a body sticks out
+  const std::int64_t gap_mm = analysis::sure_separation_mm(m.property, s.decision.facts.params) +
+                              2 * s.decision.body.radius_mm + spare_mm;
+  near.nearest_mm = std::max(near.nearest_mm, static_cast<std::int32_t>(gap_mm));
+  near.body_mm = static_cast<std::int32_t>(s.decision.body.radius_mm + spare_mm);
   const auto found = geometry::parting(analysis::edges_of(zone), cells, near);
   return found.how == geometry::Parting::How::stuck ? std::optional(start_of(found)) : std::nullopt;
 }
@@ -239,6 +244,13 @@ std::string may_lock(const std::vector<Start>& starts) {
          place(others[0][0], others[0][1]) + ", may wait for each other for ever";
 }
 
+// None of its cells is as far from the boundary as ways lead.
+bool leads_nowhere(const ir::ZoneTable& zone, const ir::Recovery& yield) {
+  return std::ranges::none_of(zone.cells.clearance_mm_lo, [&](std::int32_t clearance_mm) {
+    return clearance_mm >= yield.route_clearance_mm;
+  });
+}
+
 // Of more than two robots, which say `more`.
 Obligation of_many(const Subject& s, const ir::Recovery& yield, const std::string& more,
                    Obligation o) {
@@ -303,6 +315,12 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
   o.because = none.why;
+  if (!none.why.empty() && leads_nowhere(zone, yield)) {
+    o.because += "; " + quoted(yield.name) + " leads over cells that are " +
+                 metres(yield.route_clearance_mm) + " from the boundary, of which there are none";
+    const std::int64_t wide_mm = 2 * yield.route_clearance_mm + 2 * zone.cells.cell_mm;
+    o.repair = "it takes a zone about " + metres(wide_mm) + " wide; or " + o.repair;
+  }
   if (!none.why.empty()) {
     if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
     return unless_locked(s, yield, std::move(none.starts), std::move(o));

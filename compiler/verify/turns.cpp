@@ -335,7 +335,8 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
               : s.decision.on_plan
                   ? "in all runs every request is answered once, by a plan that no monitor refuses"
                   : "in all runs one controller drives, an engaged recovery within its look-ahead, "
-                    "and recoveries do not take over from each other for ever";
+                    "and recoveries do not take over from each other for ever" +
+                        std::string(has_promises(s.decision) ? ", once other robots are far" : "");
   o.model = model.text();
   o.claims.push_back({"protocol",
                       {{"decision", s.decision.name},
