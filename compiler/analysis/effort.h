@@ -8,8 +8,8 @@
 
 namespace rtac::analysis {
 
-// In steps of some microseconds: what is looked at of each cell that a recovery
-// drives over; and, where zones are evaluated anew, of each edge from each cell.
+// In steps of about a microsecond: what is looked at of each cell that a recovery drives over; and,
+// where zones are evaluated anew, of each edge from each cell.
 std::int64_t effort_of(const ir::Module& module, bool same_zones);
 
 }  // namespace rtac::analysis

@@ -131,7 +131,7 @@ Instead drives_instead(const Subject& s, std::size_t k) {
   return found;
 }
 
-// "": nothing else than the other one of two robots in the plane keeps control from coming back.
+// "": nothing else than the other one of two robots keeps control from coming back.
 std::string more_than_two(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
   if (!only_apart(m.property, m.property.result, s.decision.facts.params)) {

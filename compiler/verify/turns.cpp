@@ -207,9 +207,8 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
                         : " drives for one monitor after the other for ever");
   o.repair =
       "recoveries of one zone and speed, which is within the zones of all of these monitors, work, "
-      "or "
-      "a `return when` that lets none go sooner than all give control back; `rtac protocol` writes "
-      "the model of " +
+      "or a `return when` that lets none go sooner than all give control back; `rtac protocol` "
+      "writes the model of " +
       quoted(s.decision.name);
   return o;
 }

@@ -27,12 +27,14 @@ constexpr TimeUs fault_us_twist = 1'000'000;
 constexpr TimeUs fault_periods_acceleration = 3;
 constexpr double battery_least = 0.3;  // at the start
 
-// The least margin of all robots that have a place so far.
+// The least margin of all robots that have a place so far, or a negative one. Of a large fleet it is
+// the one that was placed last for which there is none, mostly.
 double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths) {
   double least = std::numeric_limits<double>::infinity();
-  for (const sim::Property& p : d.properties) {
-    for (std::size_t i = 0; i < truths.size(); ++i) {
+  for (std::size_t i = truths.size(); i-- > 0;) {
+    for (const sim::Property& p : d.properties) {
       least = std::min(least, margin_of(p, scene_of(d.surroundings, truths, static_cast<int>(i))));
+      if (least < 0) return least;
     }
   }
   return least;
@@ -112,8 +114,10 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
 // with enough to spare.
 bool place_together(const DecisionCase& d, const Field& field, const Scenario& scenario,
                     Random& random, std::vector<TruthState>& truths) {
-  constexpr int tries_together = 50'000;
-  for (int n = 0; n < tries_together; ++n) {
+  // of a large fleet a look takes longer, and hardly ever finds anything
+  constexpr int tries_together = 50'000, looks_most = 200'000;
+  const int robots = static_cast<int>(d.robots.size());
+  for (int n = 0; n < std::min(tries_together, looks_most / robots); ++n) {
     truths.assign(d.robots.size(), {});
     for (std::size_t i = 0; i < truths.size(); ++i) {
       draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
