@@ -109,10 +109,12 @@ std::int64_t standoff_in(const ir::Decision& decision, const ir::Monitor& own, i
   std::int64_t most = 0;
   const auto k = static_cast<std::size_t>(&own - decision.monitors.data());
   for (const ir::Monitor& m : decision.monitors) {
-    // slow enough, it need not keep away from anything
-    if (holds_while_driving(decision, k, m)) continue;
-    most = std::max(most, standoff_of(m.property, decision.facts.params,
-                                      m.recovery.name == own.recovery.name, zone, lies));
+    // slow enough, it need not keep away from anything else than its zone
+    const bool slow = holds_while_driving(decision, k, m);
+    const HowItLies only_own = [](ir::ZoneIndex, const Standoff&) { return Lies::deep; };
+    most = std::max(
+        most, standoff_of(m.property, decision.facts.params, m.recovery.name == own.recovery.name,
+                          zone, slow ? only_own : lies));
   }
   return most;
 }

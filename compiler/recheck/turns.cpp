@@ -176,14 +176,20 @@ class Turns {
   // says anything of them, holds with its clearance to return, and its `return when`.
   bool lets_go_in(std::size_t i, sema::ZoneId zone) {
     const sema::Monitor& own = monitor(i);
-    const auto has = [&](const sema::Expr& says, const Rational& more) {
-      return std::ranges::any_of(kept_in(spec_, says), [&](sema::ZoneId in) {
-        return has_room(in, more + sure_gap_of(spec_, says, in), zone);
-      });
-    };
     return all_zones(*own.always).empty() ||
-           has(*own.always, claims_.return_clearance(d_, own, extra())) ||
-           (own.return_when && has(*own.return_when, spec_[d_.kind].radius.value));
+           lies_deep(*own.always, claims_.return_clearance(d_, own, extra()), zone) ||
+           (own.return_when && lies_deep(*own.return_when, spec_[d_.kind].radius.value, zone));
+  }
+  // Wherever a property holds with `more` to spare; of an `or`, of each of its sides.
+  bool lies_deep(const sema::Expr& says, const Rational& more, sema::ZoneId zone) {
+    if (const auto* logic = std::get_if<sema::Logic>(&says.node)) {
+      const auto deep = [&](const sema::ExprPtr& each) { return lies_deep(*each, more, zone); };
+      if (logic->op == sema::LogicOp::logical_and)
+        return std::ranges::any_of(logic->operands, deep);
+      return logic->op == sema::LogicOp::logical_or && std::ranges::all_of(logic->operands, deep);
+    }
+    const auto floor = floor_of(spec_, says);
+    return floor && floor->laxest >= 0 && has_room(floor->zone, more + floor->laxest, zone);
   }
   // Who is in a zone, `left` clear of its boundary, is so clear of another one that it is given
   // back.

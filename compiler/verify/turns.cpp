@@ -75,10 +75,12 @@ bool leaves(const Subject& s, ir::ZoneIndex zone, std::int64_t clearance_mm, con
 // the robot is slow.
 bool has_early(const Subject& s, const ir::Monitor& lets_go, const Need& need) {
   const auto& params = s.decision.facts.params;
-  if (analysis::fences_of(lets_go.property, params).empty()) return true;
+  if (!atoms_of(lets_go.property).clearance) return true;
   const auto has = [&](const ir::Block& said, std::int64_t more_mm) {
     return std::ranges::any_of(analysis::surely_in(said, params), [&](const auto& one_of) {
-      return one_of.size() == 1 && leaves(s, one_of[0].zone, more_mm + one_of[0].mm, need);
+      return std::ranges::all_of(one_of, [&](const analysis::Standoff& in) {
+        return leaves(s, in.zone, more_mm + in.mm, need);
+      });
     });
   };
   return has(lets_go.property,

@@ -157,8 +157,10 @@ TEST_F(Leaving, OfOthersIsAMatterOfPriority) {
     }
     EXPECT_TRUE(found) << o.out;
     EXPECT_EQ(statuses(o.out, "P2a", "quiet"), Statuses{"proved"});
+    // it may let go where the other one does not, and the two may take over from each other
+    EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
     const Outcome again = rechecked();
-    EXPECT_EQ(again.status, exit_clean) << back << again.out << again.err;
+    EXPECT_EQ(again.status, exit_inconclusive) << back << again.out << again.err;
   }
 }
 

@@ -77,7 +77,7 @@ TEST_F(Verify, WhoMayRestBesideItsDockIsNotShownToKeepItsCharge) {
   const std::string limit = "brake >= 1 m/s^2;";
   write("point.rta", calm);
   const std::string route = edited(spec_text("tests/campaign/specs/templates/route_point.rta"),
-                                   "dock = (1 m, 1 m)", "dock = (2 m, 2 m)");
+                                   "dock = (1.15 m, 1.05 m)", "dock = (2 m, 2 m)");
   EXPECT_EQ(statuses(verified(route, {"--format", "json"}).out, "P2b", "battery"),
             Statuses{"proved"});
   std::string windy = edited(calm, limit, limit + " disturbance <= 0.06 m/s^2;");
