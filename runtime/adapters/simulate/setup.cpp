@@ -27,8 +27,8 @@ constexpr TimeUs fault_us_twist = 1'000'000;
 constexpr TimeUs fault_periods_acceleration = 3;
 constexpr double battery_least = 0.3;  // at the start
 
-// The least margin of all robots that have a place so far, or a negative one. Of a large fleet it is
-// the one that was placed last for which there is none, mostly.
+// The least margin of all robots that have a place so far, or a negative one. Of a large fleet it
+// is the one that was placed last for which there is none, mostly.
 double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = truths.size(); i-- > 0;) {
