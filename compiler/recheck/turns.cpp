@@ -7,6 +7,7 @@
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/sides.h"
+#include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
