@@ -47,7 +47,8 @@ std::int64_t depth_mm(ir::ZoneIndex inner, const Standoff& outer, const HowItLie
 // What a recovery has to keep from the boundary of its `zone`, beyond what it keeps from any: so
 // that the properties of the decision hold which the zone lies in, and that of its own monitor,
 // whatever the zone. Of other zones, their own recoveries take care. What holds of one that is as
-// slow as the recovery, wherever it is, asks for nothing. `own` is one of the decision's.
+// slow as the recovery, wherever it is, asks for nothing but in its own zone. `own` is one of the
+// decision's.
 std::int64_t standoff_in(const ir::Decision& decision, const ir::Monitor& own, ir::ZoneIndex zone,
                          const HowItLies& lies);
 // What one property adds to that.

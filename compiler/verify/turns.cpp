@@ -78,7 +78,7 @@ bool has_early(const Subject& s, const ir::Monitor& lets_go, const Need& need) {
   if (!atoms_of(lets_go.property).clearance) return true;
   const auto has = [&](const ir::Block& said, std::int64_t more_mm) {
     return std::ranges::any_of(analysis::surely_in(said, params), [&](const auto& one_of) {
-      return std::ranges::all_of(one_of, [&](const analysis::Standoff& in) {
+      return !one_of.empty() && std::ranges::all_of(one_of, [&](const analysis::Standoff& in) {
         return leaves(s, in.zone, more_mm + in.mm, need);
       });
     });

@@ -298,14 +298,8 @@ TEST_F(Verify, RecoveriesThatTakeOverFromEachOtherAreNotProvedToEnd) {
   EXPECT_EQ(statuses(waits.out, "switching", ""), Statuses{"unknown"}) << waits.out;
   EXPECT_NE(waits.out.find("take over from each other for ever"), std::string::npos) << waits.out;
 }
-// `creep` leads to where both give control back, but its monitor lets it go as soon as the shop is
-// far enough, beside a wall that `back` may lead away from to the shop again.
-TEST_F(Verify, AMonitorMayLetItsRecoveryGoBeforeThatIsWhereItLeads) {
-  const std::string two = R"(spec early;
-zone hall = rectangle (0 m, 0 m) to (26 m, 1.7 m) | rectangle (20 m, 0 m) to (24 m, 5 m);
-zone shop = rectangle (0 m, -1 m) to (8 m, 6 m);
-zone rest = hall - grow(shop, 10 cm);
-robot Cart {
+// What drives in pages about how recoveries hand over to each other.
+const std::string cart = R"(robot Cart {
   body radius 30 cm;
   motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
   sense position : point error 2 cm max_age 60 ms;
@@ -315,7 +309,16 @@ robot Cart {
 }
 fleet cart : Cart;
 controller nav : advanced for Cart extern;
-controller creep : safe for Cart = retreat within rest speed 0.4 m/s;
+)";
+
+// `creep` leads to where both give control back, but its monitor lets it go as soon as the shop is
+// far enough, beside a wall that `back` may lead away from to the shop again.
+TEST_F(Verify, AMonitorMayLetItsRecoveryGoBeforeThatIsWhereItLeads) {
+  const std::string two = R"(spec early;
+zone hall = rectangle (0 m, 0 m) to (26 m, 1.7 m) | rectangle (20 m, 0 m) to (24 m, 5 m);
+zone shop = rectangle (0 m, -1 m) to (8 m, 6 m);
+zone rest = hall - grow(shop, 10 cm);
+)" + cart + R"(controller creep : safe for Cart = retreat within rest speed 0.4 m/s;
 controller back : safe for Cart = retreat within hall speed 0.4 m/s;
 monitor off for c : Cart { "E-1: off the shop" always distance(c, shop) >= 10 cm; recover creep; }
 monitor walls for c : Cart { "E-2: in" always c inside hall; recover back; }
@@ -336,20 +339,10 @@ TEST_F(Verify, WhoIsSlowEnoughKeepsNoDistanceBesides) {
 zone field = rectangle (0 m, 0 m) to (30 m, 20 m);
 zone well = circle (10 m, 10 m) radius 1 m;
 zone open_field = field - circle (10 m, 10 m) radius 2 m - rectangle (22 m, 4 m) to (26 m, 9 m);
-robot Rover {
-  body radius 30 cm;
-  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
-  sense position : point error 2 cm max_age 60 ms;
-  sense velocity : vector error 2 cm/s max_age 60 ms;
-  output push : acceleration;
-  latency 30 ms;
-}
-fleet rover : Rover;
-controller nav : advanced for Rover extern;
-controller back : safe for Rover = retreat within open_field speed 0.4 m/s;
-monitor keep for r : Rover { "S-1: off the well" always r inside open_field; recover back; }
-monitor calm for r : Rover { "S-2: slow near it" always r.speed <= 0.8 m/s or distance(r, well) >= 3 m; recover back; }
-decision drive for Rover { advanced nav; period 50 ms; priority keep > calm; }
+)" + cart + R"(controller back : safe for Cart = retreat within open_field speed 0.4 m/s;
+monitor keep for r : Cart { "S-1: off the well" always r inside open_field; recover back; }
+monitor calm for r : Cart { "S-2: slow near it" always r.speed <= 0.8 m/s or distance(r, well) >= 3 m; recover back; }
+decision drive for Cart { advanced nav; period 50 ms; priority keep > calm; }
 )";
   const Outcome o = verified(text, {"-o", "shown"});
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
@@ -364,17 +357,7 @@ TEST_F(Verify, WhereAnotherRecoveryLeadsOnNobodyIsStuck) {
   const Outcome o = verified(R"(spec on;
 zone yard = rectangle (0 m, 0 m) to (20 m, 20 m);
 zone east = rectangle (9 m, 0 m) to (20 m, 20 m);
-robot Cart {
-  body radius 25 cm;
-  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
-  sense position : point error 2 cm max_age 60 ms;
-  sense velocity : vector error 2 cm/s max_age 60 ms;
-  output push : acceleration;
-  latency 30 ms;
-}
-fleet cart : Cart;
-controller nav : advanced for Cart extern;
-controller out : safe for Cart = retreat within yard speed 0.3 m/s;
+)" + cart + R"(controller out : safe for Cart = retreat within yard speed 0.3 m/s;
 controller in : safe for Cart = retreat within east speed 0.3 m/s;
 monitor yards for c : Cart { "O-1" always c inside yard; recover out; return when clearance(c, east) >= 10 cm; }
 monitor easts for c : Cart { "O-2" always c inside east; recover in; }
@@ -390,17 +373,7 @@ TEST_F(Verify, RecoveriesThatLeadTheSameWayDoNotTakeOverForEver) {
 zone west = rectangle (0 m, 0 m) to (14 m, 10 m);
 zone south = rectangle (0 m, 0 m) to (24 m, 6 m);
 zone both = west & south;
-robot Cart {
-  body radius 30 cm;
-  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1.2 m/s^2; }
-  sense position : point error 2 cm max_age 60 ms;
-  sense velocity : vector error 2 cm/s max_age 60 ms;
-  output push : acceleration;
-  latency 30 ms;
-}
-fleet cart : Cart;
-controller nav : advanced for Cart extern;
-controller to_west : safe for Cart = retreat within both speed 0.4 m/s;
+)" + cart + R"(controller to_west : safe for Cart = retreat within both speed 0.4 m/s;
 controller to_south : safe for Cart = retreat within both speed 0.4 m/s;
 monitor in_west for c : Cart { "E-1: in the west" always c inside west; recover to_west; }
 monitor in_south for c : Cart { "E-2: in the south" always c inside south; recover to_south; }
