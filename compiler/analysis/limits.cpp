@@ -354,6 +354,19 @@ std::int64_t beside_leg_mm(const ir::Decision& decision, const ir::Recovery& rec
   return decision.body.position_error_mm + most;
 }
 
+std::int64_t off_hold_mm(const ir::Body& b) {
+  return b.sway_mm > 0 ? b.sway_mm : 2 * b.position_error_mm + hold_slack_mm;
+}
+
+std::int64_t given_back_mm(const ir::Decision& decision, std::int64_t lookahead_us,
+                           std::int64_t apart_mm) {
+  const ir::Body& b = decision.body;
+  const std::int64_t rounding_mm = b.in_space ? 7 : 4;  // of both samples, and of the distance
+  return apart_mm + return_clearance_mm(decision, lookahead_us) + b.radius_mm +
+         2 * b.position_error_mm + b.hold_mm + 2 * off_hold_mm(b) + rounding_mm;
+}
+
+// Who makes room goes on until both may be given back where they hold.
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm) {
   const ir::Body& b = decision.body;
@@ -366,7 +379,9 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
   for (const ir::Motion& m : decision.motions) {
     if (m.recovery) tracking_mm = std::max(tracking_mm, tracking_of_recovery_mm(b, m));
   }
-  return std::max(mover + held, legs) + standoff_mm + tracking_mm;
+  const std::int64_t passing = std::max(mover + held, legs) + standoff_mm + tracking_mm;
+  return std::max(passing,
+                  given_back_mm(decision, lookahead_us, standoff_mm) - b.position_error_mm);
 }
 
 std::int64_t still_mmps(const ir::Body& b) {

@@ -51,6 +51,13 @@ std::int64_t beside_leg_mm(const ir::Decision& decision, const ir::Recovery& rec
 // Distance of centres at which a robot at full speed passes one that is HELD, standoff included.
 std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us,
                          std::int64_t standoff_mm);
+// How far from the place that it holds a robot at rest may be measured. Wheels hold where they have
+// been measured, and are measured anew.
+std::int64_t off_hold_mm(const ir::Body& body);
+// From how far between the places that they hold on robots that have to keep `apart_mm` are given
+// back, wherever each of them is measured about its own.
+std::int64_t given_back_mm(const ir::Decision& decision, std::int64_t lookahead_us,
+                           std::int64_t apart_mm);
 // How fast a robot at rest may be measured, and have been when its position was.
 std::int64_t still_mmps(const ir::Body& body);
 // Clearance of the centre at which a robot at rest, driven by `motion`, is seen to have a clearance

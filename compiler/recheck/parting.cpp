@@ -513,21 +513,23 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const auto* const too_near_to_return = "control may not be given back at that distance";
   if (milli(*gap) < back) return wrong(too_near_to_return);
   // who is as far off as others make way to stays where it is; and who is given back needs no way,
-  // wherever both are measured then about the places that they hold
-  const Rational span = n.sway > 0 ? 2 * n.sway : Rational(2 * n.position_error + n.hold);
-  // in space they look at where both hold, and each is measured within its sway of that
-  const Rational need_not = back + (kind.in_space ? Rational(2 * n.sway) : Rational(2 * span));
+  // wherever both are measured then about the places that they hold: wheels hold where they were
+  // measured
+  const Rational base_moves(1, 100);
+  const bool sways = n.sway > 0;
+  const Rational seen_off = sways ? n.sway : Rational(2 * n.position_error + base_moves);
+  const Rational need_not = back + 2 * seen_off;
   const Rational stays = milli(*gap) + n.position_error;
-  if (kind.in_space && stays < need_not) return wrong(too_near_to_return);
+  if (stays < need_not) return wrong(too_near_to_return);
   if (milli(*apart) < std::min(stays, need_not)) {
     return wrong("robots that are nearer to each other may have to part, too");
   }
   const geometry::Region* const region = claims.zones().region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
   const double error = n.position_error.get_d(), far = milli(*gap).get_d();
-  // in space one may hold straight over the other one
-  const double off = kind.in_space ? n.sway.get_d() : error;
+  const double off = sways ? n.sway.get_d() : error + base_moves.get_d();
   const double body = std::max(0.0, n.radius.get_d() - off);
+  // in space one may hold straight over the other one
   const double nearest = kind.in_space ? 0 : 2 * body;
   const auto found = without_parting(
       *region, {*cell, *x, *y},

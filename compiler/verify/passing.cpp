@@ -35,26 +35,17 @@ std::string place_of(const geometry::GridPoint& p) {
   return place(p.x_mm, p.y_mm);
 }
 
+std::int64_t ahead_us_of(const ir::Monitor& m) {
+  return m.lookahead.duration ? m.lookahead.duration_us : 0;
+}
+
 // Two robots that hold nearer to each other are not given back, if they are measured as they are.
 std::int64_t kept_mm(const ir::Decision& d, const ir::Monitor& m) {
-  const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
   return analysis::sure_separation_mm(m.property, d.facts.params) +
-         analysis::return_clearance_mm(d, ahead_us) + d.body.radius_mm;
+         analysis::return_clearance_mm(d, ahead_us_of(m)) + d.body.radius_mm;
 }
 
-// From how far on two robots that hold are given back, as they are measured at any time: at rest,
-// and measured anew all along, each at one end of its sway and then at the other one; in space,
-// where they look at the places that they hold, each within its sway of that.
-std::int64_t given_back_mm(const ir::Decision& d, const ir::Monitor& m) {
-  const ir::Body& b = d.body;
-  const std::int64_t other_mm = 2 * b.position_error_mm + b.hold_mm;
-  const std::int64_t span_mm = b.sway_mm > 0 ? 2 * b.sway_mm : 2 * b.position_error_mm + b.hold_mm;
-  const std::int64_t rounding_mm = b.in_space ? 7 : 4;  // of both samples, and of the distance
-  if (b.in_space) return kept_mm(d, m) + other_mm + 2 * b.sway_mm + rounding_mm;
-  return kept_mm(d, m) + other_mm + 2 * span_mm + rounding_mm;
-}
-
-// As robots are measured that hold, and with the room for errors that the runtime leaves (Aside):
+// Between the places that robots hold, and with the room for errors that the runtime leaves (Aside):
 // who is given back need not part, nor who is as far off as others make way to.
 geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   const ir::Decision& d = s.decision;
@@ -63,15 +54,18 @@ geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   };
   const ir::Recovery& yield = ir::last_step(m.recovery);
   const std::int64_t error_mm = d.body.position_error_mm;
-  // how far from where it truly is the place is that it looks from; in space one may hold straight
-  // over the other one
-  const std::int64_t off_mm = d.body.in_space ? d.body.sway_mm : error_mm;
+  // how far from where it truly is the place is that it holds; in space one may hold straight over
+  // the other one
+  const ir::Body& body = d.body;
+  const std::int64_t back_mm = analysis::given_back_mm(
+      d, ahead_us_of(m), analysis::sure_separation_mm(m.property, d.facts.params));
+  const std::int64_t off_mm = analysis::off_hold_mm(body) - (body.sway_mm > 0 ? 0 : error_mm);
   return {.clearance_mm = mm(yield.route_clearance_mm),
-          .body_mm = mm(d.body.radius_mm - off_mm),
-          .nearest_mm = d.body.in_space ? 0 : mm(2 * (d.body.radius_mm - error_mm)),
-          .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, given_back_mm(d, m))),
+          .body_mm = mm(body.radius_mm - off_mm),
+          .nearest_mm = body.in_space ? 0 : mm(2 * (body.radius_mm - off_mm)),
+          .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, back_mm)),
           .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1),
-          .stands_mm = mm(d.body.radius_mm + error_mm),
+          .stands_mm = mm(body.radius_mm + error_mm),
           .off_grid = !is_on_grid(s, yield.zone)};
 }
 
@@ -302,13 +296,6 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.method = "no proof";
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s, s.decision.monitors[k]);
-  if (s.decision.body.in_space && yield.pass_gap_mm + s.decision.body.position_error_mm <
-                                      given_back_mm(s.decision, s.decision.monitors[k])) {
-    o.because = "robots that hold " + metres(yield.pass_gap_mm) +
-                " from each other, as far as others make way, may be measured too near to each "
-                "other for control to be given back";
-    return o;
-  }
   const std::string more = more_than_two(s, k);
   NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
   const auto [other, told] = drives_instead(s, k);

@@ -16,6 +16,20 @@ Vec3 place_of_held(const Announcement& other) {
   return other.hold && is_finite(*other.hold) ? *other.hold : position_of(other);
 }
 
+const Observation& HeldPlaces::seen_from(const Observation& observation, Vec3 at) {
+  seen_ = observation;
+  seen_.position.value = {at.x, at.y};
+  seen_.height_m = at.z;
+  for (int j = 0; j < seen_.robots; ++j) {
+    Announcement& other = seen_.others[static_cast<std::size_t>(j)];
+    if (j == seen_.self || !is_held(other, seen_.now_us)) continue;
+    const Vec3 there = place_of_held(other);
+    other.position.value = {there.x, there.y};
+    other.height_m = there.z;
+  }
+  return seen_;
+}
+
 int asks_for_passage(const Observation& observation) {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];

@@ -49,6 +49,13 @@ double delay_s(const Setting& setting, TimeUs age_us) {
   return 1e-6 * static_cast<double>(age_us + setting.period_us + setting.limits.latency_us);
 }
 
+Vec2 nearest_on(const Leg& leg, Vec2 at) {
+  const double length_m = norm(leg.to - leg.from);
+  if (length_m <= point_m) return leg.to;
+  const Vec2 along = (1 / length_m) * (leg.to - leg.from);
+  return leg.from + std::clamp(dot(at - leg.from, along), 0.0, length_m) * along;
+}
+
 double end_reach_m(const Setting& setting) {
   const RobotLimits& l = setting.limits;
   const double least_m = std::max(0.02, l.position_error_m);
@@ -91,13 +98,13 @@ LegTracker::Bearing LegTracker::bearing(const Path& way, Vec2 at) const {
   const Vec2 to = way.points[way.index], along = to - from_;
   const double length = norm(along);
   Bearing leg;
-  leg.direction = length > 1e-6 ? (1 / length) * along : Vec2{1, 0};
-  leg.remaining_m = length > 1e-6 ? dot(to - at, leg.direction) : 0.0;
+  leg.direction = length > point_m ? (1 / length) * along : Vec2{1, 0};
+  leg.remaining_m = length > point_m ? dot(to - at, leg.direction) : 0.0;
   leg.lateral_m = leg.direction.x * (at.y - from_.y) - leg.direction.y * (at.x - from_.x);
   leg.corner_rad = detail::pi;
   if (way.index + 1 < way.points.size()) {
     const Vec2 next = way.points[way.index + 1] - to;
-    if (norm(next) > 1e-6) {
+    if (norm(next) > point_m) {
       leg.corner_rad = std::fabs(detail::wrapped(detail::angle(next) - detail::angle(along)));
     }
   }

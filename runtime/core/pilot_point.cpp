@@ -14,15 +14,6 @@ namespace {
 constexpr double s_per_us = 1e-6;
 // For what sampling adds, and the tail of its approach.
 constexpr double sway_slack_m = 0.01;
-// A leg that is no longer is a point.
-constexpr double point_m = 1e-6;
-
-Vec2 nearest_on(const Leg& leg, Vec2 at) {
-  const double length_m = norm(leg.to - leg.from);
-  if (length_m <= point_m) return leg.to;
-  const Vec2 along = (1 / length_m) * (leg.to - leg.from);
-  return leg.from + std::clamp(dot(at - leg.from, along), 0.0, length_m) * along;
-}
 
 Acceleration commanded(Vec3 a) {
   return {{a.x, a.y}, a.z};
@@ -200,8 +191,7 @@ void Pilot<Acceleration>::leave_far_leg() {
   if (!(norm(at - nearest_on(prolonged, at)) <= stray_m())) on_leg_.reset();
 }
 
-// From which it moves on: the nearest place of its leg, if it was stopped on one.
-Vec3 Pilot<Acceleration>::kept() const {
+Vec3 Pilot<Acceleration>::sets_out_from() const {
   if (!on_leg_) return hold_at_;
   const Vec2 nearest = nearest_on(*on_leg_, {hold_at_.x, hold_at_.y});
   return {nearest.x, nearest.y, hold_at_.z};
@@ -228,7 +218,7 @@ bool Pilot<Acceleration>::sets_out(const Observation& observation) {
     return true;
   }
   const double step_m = speed_mps_ * static_cast<double>(period_us_) * s_per_us;
-  if (!move_hold(kept(), step_m) || !at_rest(observation)) return false;
+  if (!move_hold(sets_out_from(), step_m) || !at_rest(observation)) return false;
   if (norm(hold_at_ - position_of(observation)) > sway_m_) return false;
   tracker_.begin({hold_at_.x, hold_at_.y});
   return true;
@@ -260,9 +250,12 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
 }
 
 bool Pilot<Acceleration>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
-  if (!safe::recedes(observation.position.value, target, from)) return false;
-  if (!latched_) return true;
-  const Vec3 first = kept();
+  if (!latched_) {
+    const Vec2 p = observation.position.value;
+    return safe::recedes(driving_ && on_leg_ ? nearest_on(*on_leg_, p) : p, target, from);
+  }
+  const Vec3 first = sets_out_from();
+  if (!safe::recedes({first.x, first.y}, target, from)) return false;
   return norm(first - hold_at_) <= sway_m_ ||
          safe::recedes({hold_at_.x, hold_at_.y}, {first.x, first.y}, from);
 }

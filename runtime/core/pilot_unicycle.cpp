@@ -61,6 +61,17 @@ void Pilot<Twist>::not_at_rest() {
   still_samples_ = 0;
 }
 
+// At rest it is for whoever takes over, too.
+void Pilot<Twist>::go_on(const Halt& halt) {
+  latched_ = halt.latched;
+  rests_at_ = halt.place;
+  rest_.go_on(halt);
+}
+
+std::optional<Halt> Pilot<Twist>::halting() const {
+  return Halt{latched_, rests_at_, std::nullopt, 0, rest_.since_us(), rest_.seen_us()};
+}
+
 bool Pilot<Twist>::can_steer(const Observation& observation) const {
   const TimeUs now_us = observation.now_us;
   return usable(observation.position, now_us, limits_.position_age_us, period_us_) &&
@@ -84,12 +95,13 @@ Twist Pilot<Twist>::halt(const Observation& observation) {
     still_samples_ = still ? still_samples_ + 1 : 0;
   }
   latched_ = still_samples_ >= pace::rest_samples && rest_.tells_where(observation);
+  if (latched_) rests_at_ = position_of(observation);
   return {};
 }
 
 Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   const Vec2 p = observation.position.value;
-  if (!driving_) tracker_.begin(p);
+  if (!driving_) tracker_.begin(latched_ ? Vec2{rests_at_.x, rests_at_.y} : p);
   if (!tracker_.advance(way, p, end_reach_m_)) {
     return halt(observation);
   }
@@ -115,9 +127,11 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   return out;
 }
 
-// Turning in place moves nothing, so both the leg and the heading count once it drives.
+// Turning in place moves nothing, so that the heading counts once it drives.
 bool Pilot<Twist>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
-  const Vec2 p = observation.position.value;
+  Vec2 p = observation.position.value;
+  if (latched_) p = {rests_at_.x, rests_at_.y};
+  if (driving_) p = nearest_on({tracker_.from(), target}, p);
   if (!safe::recedes(p, target, from)) return false;
   if (!driving_ || turning_) return true;
   const Vec2 forward{std::cos(observation.heading.value), std::sin(observation.heading.value)};

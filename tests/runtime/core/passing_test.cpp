@@ -58,6 +58,8 @@ struct Member {
     heard.position = {other.plant.p + plant.noise.disc(0.02), seen.now_us};
     heard.lease_end_us = other.lease_end_us;
     heard.claims = true;
+    const std::optional<Halt> halt = other.controller->halt();
+    heard.hold = halt && halt->latched ? std::optional(halt->place) : std::nullopt;
     heard.blocked = other.controller->blocked();
     if (other.controller->path() != nullptr) heard.plan = *other.controller->path();
     const Gate now = gate(other);

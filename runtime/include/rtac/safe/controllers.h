@@ -29,7 +29,7 @@ class Driven : public SafeController<Output> {
   [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
   Output command(const Observation& observation, Gate gate) override {
     if (!pilot_.can_steer(observation)) return pilot_.brake_blind(observation);
-    plan_.update(observation, gate, pilot_.at_rest(observation));
+    plan_.update(seen(observation), gate, pilot_.at_rest(observation));
     if (!plan_.wants_motion() || !allowed(observation, gate)) return pilot_.halt(observation);
     return pilot_.drive(observation, plan_.way());
   }
@@ -42,6 +42,10 @@ class Driven : public SafeController<Output> {
   }
 
  private:
+  const Observation& seen(const Observation& observation) {
+    if (!Plan::looks_at_held_places || !pilot_.latched()) return observation;
+    return places_.seen_from(observation, pilot_.sets_out_from());
+  }
   [[nodiscard]] bool allowed(const Observation& observation, Gate gate) {
     if (gate == Gate::free) return true;
     if (gate == Gate::hold) return false;
@@ -49,13 +53,15 @@ class Driven : public SafeController<Output> {
     for (int j = 0; j < observation.robots; ++j) {
       const Announcement& other = observation.others[static_cast<std::size_t>(j)];
       if (j == observation.self || !is_held(other, observation.now_us)) continue;
-      if (!pilot_.recedes(observation, target, other.position.value)) return false;
+      const Vec3 there = place_of_held(other);
+      if (!pilot_.recedes(observation, target, {there.x, there.y})) return false;
     }
     return true;
   }
 
   Plan plan_;
   Pilot<Output> pilot_;
+  HeldPlaces places_;
 };
 
 // Brake, and hold the place. P2b: control returns only where the robot happens to stop with enough

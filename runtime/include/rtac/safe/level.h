@@ -37,32 +37,17 @@ class Level final : public Carried {
  private:
   void choose(const Observation& observation, Gate gate) override {
     const bool rests = at_rest(observation);
-    plan_.update(latched() ? on_its_way(observation) : observation, gate, rests);
+    // From the place on its way, up and down as well: from where it is measured, or has come to rest
+    // beside its leg, noise would carry it off way by way, and errors that last would keep it from a
+    // site that its hold has come to.
+    const bool holds = latched();
+    plan_.update(holds ? places_.seen_from(observation, on_way(observation)) : observation, gate,
+                 rests);
     if (!plan_.wants_motion()) {
       if (has_legs()) drop_legs();
     } else if (rests) {
-      set_legs(level_legs(told_.height_m));  // it rests, so that it is latched
+      set_legs(level_legs(on_way(observation).z));
     }
-  }
-  // Its manoeuvre looks from the place on its way, up and down as well: from where it is measured,
-  // or has come to rest beside its leg, noise would carry it off way by way, and errors that last
-  // would keep it from a site that its hold has come to. And it looks at the places that others
-  // hold, as they look at its own: of two that look at where the other one is measured, errors
-  // that last may show each of them the other one in its way. A copy: it allocates once more others
-  // are heard of than ever before, and not again.
-  const Observation& on_its_way(const Observation& observation) {
-    const Vec3 at = on_way(observation);
-    told_ = observation;
-    told_.position.value = {at.x, at.y};
-    told_.height_m = at.z;
-    for (int j = 0; j < told_.robots; ++j) {
-      Announcement& other = told_.others[static_cast<std::size_t>(j)];
-      if (j == told_.self || !is_held(other, told_.now_us)) continue;
-      const Vec3 there = place_of_held(other);
-      other.position.value = {there.x, there.y};
-      other.height_m = there.z;
-    }
-    return told_;
   }
   Legs level_legs(double height_m) {
     Legs legs;
@@ -88,7 +73,7 @@ class Level final : public Carried {
   }
 
   Plan plan_;
-  Observation told_;
+  HeldPlaces places_;
 };
 
 // Brake; then along the shortest way with enough clearance to the site, around HELD robots.

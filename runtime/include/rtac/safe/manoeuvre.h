@@ -14,6 +14,19 @@ bool is_held(const Announcement& other, TimeUs now_us);
 // Where it stays, of one that is HELD: the place that it holds, or else where it is measured.
 Vec3 place_of_held(const Announcement& other);
 
+// What a robot that has come to rest looks at: itself at the place that it holds, and those that are
+// HELD at theirs, as they look at its own. Of two that look at where they are measured, each at a
+// time of its own, errors may show each of them that only the other one has a way.
+class HeldPlaces {
+ public:
+  // Until the next call. A copy: it allocates once more others are heard of than ever before, and
+  // not again.
+  const Observation& seen_from(const Observation& observation, Vec3 at);
+
+ private:
+  Observation seen_;
+};
+
 // A robot that goes first, is HELD and found no way past the others; -1: none.
 int asks_for_passage(const Observation& observation);
 // Distance from `place` to the rest of a robot's announced way, its position included.
@@ -21,6 +34,9 @@ double distance_to_way(Vec2 place, const Announcement& other);
 
 class Manoeuvre {
  public:
+  // Of those that look at HeldPlaces; others look at what is measured.
+  static constexpr bool looks_at_held_places = false;
+
   explicit Manoeuvre(const Setting& setting) : setting_(setting), route_(*setting.zone) {}
   virtual ~Manoeuvre() = default;
 
@@ -61,6 +77,8 @@ class Manoeuvre {
 // Stands where the pilot has brought it to rest; makes way for nobody.
 class BrakeManoeuvre {
  public:
+  static constexpr bool looks_at_held_places = false;
+
   explicit BrakeManoeuvre(const Setting&) {}
   void engage(const Observation&) {}
   void update(const Observation&, Gate, bool) {}
@@ -147,6 +165,7 @@ class RouteManoeuvre : public Manoeuvre {
 
 class YieldManoeuvre : public Manoeuvre {
  public:
+  static constexpr bool looks_at_held_places = true;
   using Manoeuvre::Manoeuvre;
   void engage(const Observation& observation) override;
   void update(const Observation& observation, Gate gate, bool at_rest) override;

@@ -25,6 +25,11 @@ double delay_s(const Setting& setting, TimeUs age_us);
 double settling_s(const Setting& setting);
 double lateral_gain_per_s(const Setting& setting);
 
+// A leg that is no longer is a point.
+constexpr double point_m = 1e-6;
+// Of the places of a leg.
+Vec2 nearest_on(const Leg& leg, Vec2 at);
+
 // How much longer a leg has to be for its pilot to pass what was its end at the full speed of the
 // recovery: what it comes on until its brake acts, and what it plans to slow down over.
 double run_out_m(const Setting& setting);
@@ -127,12 +132,16 @@ class Pilot<Acceleration> {
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
   bool carry(Vec3 to, double step_m);
+  // While it holds: where its next leg begins, which is the nearest place of its leg, if it was
+  // stopped on one.
+  [[nodiscard]] Vec3 sets_out_from() const;
   // How far from the place that it holds it may be measured, once it is there.
   [[nodiscard]] double sway_m() const { return sway_m_; }
   // Latched, and slow enough to be driven off.
   [[nodiscard]] bool at_rest(const Observation& observation) const;
   // The motion that `drive` would command leads nowhere nearer to `from`: back to the leg that it
-  // was stopped on, as far as that is more than its hold sways, and on to `target`.
+  // was stopped on, as far as that is more than its hold sways, and on to `target`. A leg that leads
+  // away does so from where it begins on: what errors put the robot beside it by does not count.
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
@@ -143,7 +152,6 @@ class Pilot<Acceleration> {
   // How far beside its leg it may be measured, once it was stopped on it.
   [[nodiscard]] double stray_m() const;
   void leave_far_leg();
-  [[nodiscard]] Vec3 kept() const;
   bool sets_out(const Observation& observation);
   bool move_hold(Vec3 to, double step_m);
 
@@ -172,14 +180,14 @@ class Pilot<Twist> {
  public:
   explicit Pilot(const Setting& setting);
   void engage(const Observation& observation);
-  // The base holds its place by itself.
-  void go_on(const Halt&) {}
-  [[nodiscard]] static std::optional<Halt> halting() { return std::nullopt; }
+  void go_on(const Halt& halt);
+  [[nodiscard]] std::optional<Halt> halting() const;
   [[nodiscard]] bool can_steer(const Observation& observation) const;
   Twist brake_blind(const Observation& observation);
   Twist halt(const Observation& observation);
   Twist drive(const Observation& observation, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
+  [[nodiscard]] Vec3 sets_out_from() const { return rests_at_; }
   [[nodiscard]] bool at_rest(const Observation&) const { return latched_; }
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
@@ -195,6 +203,7 @@ class Pilot<Twist> {
   LegTracker tracker_;
   Vec2 leg_direction_;
   bool latched_ = false, driving_ = false, turning_ = false;
+  Vec3 rests_at_;  // once it is latched: as measured then. The base holds its place by itself
   RestWitness rest_;
   int still_samples_ = 0;
 };
