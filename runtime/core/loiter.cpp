@@ -24,7 +24,7 @@ void LoiterManoeuvre::engage(const Observation& observation) {
 void LoiterManoeuvre::look(const Observation& observation) {
   const double slack_m = end_reach_m(setting_) + 2 * setting_.limits.position_error_m;
   const double least_m = std::max(setting_.return_clearance_m, setting_.route_clearance_m);
-  const double clear_m = signed_clearance(*setting_.zone, observation.position.value);
+  const double clear_m = signed_clearance(*setting_.zone, at_);
   const double radius_m = std::min(radius_m_max, clear_m - least_m - slack_m);
   RetreatManoeuvre::look(observation);  // stays where it is clear enough
   if (wants_motion()) rests_since_us_ = never_us;

@@ -16,18 +16,10 @@ Vec3 place_of_held(const Announcement& other) {
   return other.hold && is_finite(*other.hold) ? *other.hold : position_of(other);
 }
 
-const Observation& HeldPlaces::seen_from(const Observation& observation, Vec3 at) {
-  seen_ = observation;
-  seen_.position.value = {at.x, at.y};
-  seen_.height_m = at.z;
-  for (int j = 0; j < seen_.robots; ++j) {
-    Announcement& other = seen_.others[static_cast<std::size_t>(j)];
-    if (j == seen_.self || !is_held(other, seen_.now_us)) continue;
-    const Vec3 there = place_of_held(other);
-    other.position.value = {there.x, there.y};
-    other.height_m = there.z;
-  }
-  return seen_;
+Vec2 seen_at(const Announcement& other, TimeUs now_us) {
+  if (!is_held(other, now_us)) return other.position.value;
+  const Vec3 there = place_of_held(other);
+  return {there.x, there.y};
 }
 
 int asks_for_passage(const Observation& observation) {
@@ -39,8 +31,8 @@ int asks_for_passage(const Observation& observation) {
   return -1;
 }
 
-double distance_to_way(Vec2 place, const Announcement& other) {
-  Vec2 from = other.position.value;
+double distance_to_way(Vec2 place, const Announcement& other, TimeUs now_us) {
+  Vec2 from = seen_at(other, now_us);
   double nearest_m = norm(place - from);
   for (std::size_t i = other.plan.index; i < other.plan.points.size(); ++i) {
     nearest_m = std::min(nearest_m, distance_to_segment(place, from, other.plan.points[i]));
@@ -52,11 +44,12 @@ double distance_to_way(Vec2 place, const Announcement& other) {
 RouteQuery Manoeuvre::query(const Observation& observation, bool around_held) const {
   RouteQuery query;
   query.clearance_m = setting_.route_clearance_m;
-  query.start = observation.position.value;
+  query.start = at_;
   for (int j = 0; around_held && j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || !is_held(other, observation.now_us)) continue;
-    (void)query.avoid.push({other.position.value, setting_.pass_gap_m});  // never more than robots
+    // never more than robots
+    (void)query.avoid.push({seen_at(other, observation.now_us), setting_.pass_gap_m});
   }
   return query;
 }

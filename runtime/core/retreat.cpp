@@ -28,7 +28,7 @@ void RetreatManoeuvre::engage(const Observation&) {
   next_look_us_ = never_us;
 }
 
-void RetreatManoeuvre::update(const Observation& observation, Gate, bool at_rest) {
+void RetreatManoeuvre::decide(const Observation& observation, Gate, bool at_rest) {
   // On the way nothing is reconsidered; the pilot comes to rest at its end or when the gate closes.
   if (!at_rest || observation.now_us < next_look_us_) return;
   next_look_us_ = observation.now_us + pace::look_every_us;
@@ -37,8 +37,7 @@ void RetreatManoeuvre::update(const Observation& observation, Gate, bool at_rest
 
 void RetreatManoeuvre::look(const Observation& observation) {
   stay();
-  const Vec2 p = observation.position.value;
-  const double now_m = signed_clearance(*setting_.zone, p);
+  const double now_m = signed_clearance(*setting_.zone, at_);
   if (now_m >= setting_.return_clearance_m) return;
   // The way ends a little short of its last point, by a measurement: aim deeper, so that the place
   // is good when it is reached.

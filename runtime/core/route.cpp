@@ -30,9 +30,9 @@ void RouteManoeuvre::count_driven(const Observation& observation, bool at_rest) 
   driven_until_us_ = observation.now_us;
 }
 
-void RouteManoeuvre::update(const Observation& observation, Gate gate, bool at_rest) {
+void RouteManoeuvre::decide(const Observation& observation, Gate gate, bool at_rest) {
   count_driven(observation, at_rest);
-  const double distance_m = norm(observation.position.value - site_);
+  const double distance_m = norm(at_ - site_);
   if (parked_ && distance_m > left_m) parked_ = false;
   if (!at_rest) {
     if (wants_motion() && meets_held(observation)) stay();  // brake, then look for another way
@@ -48,9 +48,8 @@ void RouteManoeuvre::update(const Observation& observation, Gate gate, bool at_r
   next_look_us_ = observation.now_us + pace::look_every_us;
   // Two errands must not wait for each other: the one that comes second makes room first.
   if (const int asker = asks_for_passage(observation);
-      asker >= 0 && distance_to_way(observation.position.value,
-                                    observation.others[static_cast<std::size_t>(asker)]) <
-                        2 * setting_.pass_gap_m) {
+      asker >= 0 && distance_to_way(at_, observation.others[static_cast<std::size_t>(asker)],
+                                    observation.now_us) < 2 * setting_.pass_gap_m) {
     make_passage(observation, gate, asker);
     return;
   }
@@ -82,17 +81,18 @@ RouteQuery RouteManoeuvre::around_robots(const Observation& observation, bool he
     if (j == observation.self || other.position.stamp_us == never_us) continue;
     if (!is_finite(other.position.value)) continue;
     if (held_only && !is_held(other, observation.now_us)) continue;
-    if (norm(other.position.value - around.start) > near_gaps * setting_.pass_gap_m) continue;
-    (void)around.avoid.push({other.position.value, setting_.pass_gap_m});  // never more than robots
+    const Vec2 there = seen_at(other, observation.now_us);
+    if (norm(there - around.start) > near_gaps * setting_.pass_gap_m) continue;
+    (void)around.avoid.push({there, setting_.pass_gap_m});  // never more than robots
   }
   return around;
 }
 
 // The part of a way that was cut off lies behind it, and it rests at its end. The first distance is
 // beyond what the pilots miss an end by; three errors: as it arrived, as it stopped, as it is seen.
-bool RouteManoeuvre::goes_on(const Observation& observation) const {
+bool RouteManoeuvre::goes_on() const {
   return cut_ && !wants_motion() &&
-         norm(observation.position.value - joint_) <= left_m + 3 * setting_.limits.position_error_m;
+         norm(at_ - joint_) <= left_m + 3 * setting_.limits.position_error_m;
 }
 
 // A way that was cut off goes on from its last way-point, the centre of a cell, not from where the
@@ -102,7 +102,7 @@ bool RouteManoeuvre::goes_on(const Observation& observation) const {
 // to another cell's centre every time. The stop at the cut is priced like every end of a leg.
 void RouteManoeuvre::look(const Observation& observation) {
   RouteQuery direct = query(observation, false), around = around_robots(observation, false);
-  if (goes_on(observation)) {
+  if (goes_on()) {
     direct.start = around.start = joint_;
     direct.over_start = around.over_start = true;
   }

@@ -28,7 +28,7 @@ int YieldManoeuvre::makes_way_for(const Observation& observation) const {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || other.position.stamp_us == never_us) continue;
-    const double distance_m = norm(other.position.value - observation.position.value);
+    const double distance_m = norm(seen_at(other, observation.now_us) - at_);
     const bool near = distance_m <= 2 * setting_.pass_gap_m;
     if (near && goes_first(observation, j) && !is_held(other, observation.now_us)) return -1;
   }
@@ -44,7 +44,7 @@ bool YieldManoeuvre::must_back_off(const Observation& observation) const {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || other.position.stamp_us == never_us) continue;
-    const double distance_m = norm(other.position.value - observation.position.value);
+    const double distance_m = norm(seen_at(other, observation.now_us) - at_);
     if (distance_m > 2 * setting_.pass_gap_m) continue;
     const bool holds = is_held(other, observation.now_us);
     const bool in_vain = distance_m <= setting_.pass_gap_m && waits_in_vain(observation);
@@ -60,7 +60,7 @@ void YieldManoeuvre::start_waiting(const Observation& observation) {
   wanting_since_us_ = never_us;
 }
 
-void YieldManoeuvre::update(const Observation& observation, Gate gate, bool at_rest) {
+void YieldManoeuvre::decide(const Observation& observation, Gate gate, bool at_rest) {
   if (!at_rest) {
     held_since_us_ = wanting_since_us_ = never_us;
     return;
@@ -109,11 +109,11 @@ void YieldManoeuvre::back_off(const Observation& observation) {
   for (int j = 0; j < observation.robots; ++j) {
     const Announcement& other = observation.others[static_cast<std::size_t>(j)];
     if (j == observation.self || other.position.stamp_us == never_us) continue;
-    const double distance_m = norm(other.position.value - observation.position.value);
-    if (distance_m <= 2 * setting_.pass_gap_m) aside.keep_from(other.position.value);
+    const double distance_m = norm(seen_at(other, observation.now_us) - at_);
+    if (distance_m <= 2 * setting_.pass_gap_m) aside.keep_from(seen_at(other, observation.now_us));
   }
   stay();
-  if (aside.good_enough(observation.position.value)) return;
+  if (aside.good_enough(at_)) return;
   if (get_away(observation, aside)) return;
   stay();
   cornered_ = true;

@@ -144,8 +144,8 @@ bool PlanExecutor<Output>::in_the_way() {
   const int asker = safe::asks_for_passage(observation_);
   if (asker >= 0 && has_position_ &&
       safe::distance_to_way(observation_.position.value,
-                            observation_.others[static_cast<std::size_t>(asker)]) <
-          2 * options_.pass_gap_m) {
+                            observation_.others[static_cast<std::size_t>(asker)],
+                            observation_.now_us) < 2 * options_.pass_gap_m) {
     aside_until_us_ = observation_.now_us + options_.aside_us;
   }
   const bool aside = observation_.now_us < aside_until_us_;

@@ -82,7 +82,7 @@ class Ways {
     seen.now_us = 1'000'000;
     seen.position = {p, seen.now_us};
     retreat.engage(seen);
-    retreat.update(seen, Gate::free, true);
+    retreat.update(seen, seen.position.value, Gate::free, true);
     if (retreat.way().points.empty()) return std::nullopt;
     return retreat.way().points[0];
   }

@@ -388,7 +388,7 @@ TEST(Route, PiecesOfAWayAddUpToIt) {
   double driven_m = 0;
   for (int piece = 0; piece < 5 && !route.parked(); ++piece) {
     seen.now_us += 10'000'000;
-    route.update(seen, Gate::free, true);
+    route.update(seen, seen.position.value, Gate::free, true);
     if (!route.wants_motion()) continue;
     const Vec2 end = route.way().points.back();
     const bool on = driven_m > 0;  // what lies between the rest and the cut is no part of the way
@@ -426,16 +426,16 @@ TEST(Route, DoesNotGoAroundWhenTheDetourIsUsedUp) {
     Observation seen;
     seen.position.value = {1, 2.5};
     route.engage(seen);
-    route.update(seen, Gate::free, true);  // three metres are left
+    route.update(seen, seen.position.value, Gate::free, true);  // three metres are left
     for (int i = 1; i <= 600; ++i) {
       seen.now_us = i * 100'000;
       seen.velocity.value = {drives ? 0.1 : 0, 0};
-      route.update(seen, Gate::free, !drives);
+      route.update(seen, seen.position.value, Gate::free, !drives);
     }
     seen.now_us += 1'000'000;
     seen.velocity.value = {0, 0};
     place_other(seen, 1, {2, 2.5}, always);
-    route.update(seen, Gate::free, true);
+    route.update(seen, seen.position.value, Gate::free, true);
     EXPECT_EQ(route.blocked(), drives);
   }
 }

@@ -29,7 +29,7 @@ class Driven : public SafeController<Output> {
   [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
   Output command(const Observation& observation, Gate gate) override {
     if (!pilot_.can_steer(observation)) return pilot_.brake_blind(observation);
-    plan_.update(seen(observation), gate, pilot_.at_rest(observation));
+    plan_.update(observation, looks_from(observation), gate, pilot_.at_rest(observation));
     if (!plan_.wants_motion() || !allowed(observation, gate)) return pilot_.halt(observation);
     return pilot_.drive(observation, plan_.way());
   }
@@ -42,9 +42,10 @@ class Driven : public SafeController<Output> {
   }
 
  private:
-  const Observation& seen(const Observation& observation) {
-    if (!Plan::looks_at_held_places || !pilot_.latched()) return observation;
-    return places_.seen_from(observation, pilot_.sets_out_from());
+  [[nodiscard]] Vec2 looks_from(const Observation& observation) const {
+    if (!Plan::looks_from_hold || !pilot_.latched()) return observation.position.value;
+    const Vec3 from = pilot_.sets_out_from();
+    return {from.x, from.y};
   }
   [[nodiscard]] bool allowed(const Observation& observation, Gate gate) {
     if (gate == Gate::free) return true;
@@ -53,15 +54,13 @@ class Driven : public SafeController<Output> {
     for (int j = 0; j < observation.robots; ++j) {
       const Announcement& other = observation.others[static_cast<std::size_t>(j)];
       if (j == observation.self || !is_held(other, observation.now_us)) continue;
-      const Vec3 there = place_of_held(other);
-      if (!pilot_.recedes(observation, target, {there.x, there.y})) return false;
+      if (!pilot_.recedes(observation, target, seen_at(other, observation.now_us))) return false;
     }
     return true;
   }
 
   Plan plan_;
   Pilot<Output> pilot_;
-  HeldPlaces places_;
 };
 
 // Brake, and hold the place. P2b: control returns only where the robot happens to stop with enough

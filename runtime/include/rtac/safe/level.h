@@ -37,16 +37,15 @@ class Level final : public Carried {
  private:
   void choose(const Observation& observation, Gate gate) override {
     const bool rests = at_rest(observation);
-    // From the place on its way, up and down as well: from where it is measured, or has come to rest
-    // beside its leg, noise would carry it off way by way, and errors that last would keep it from a
-    // site that its hold has come to.
-    const bool holds = latched();
-    plan_.update(holds ? places_.seen_from(observation, on_way(observation)) : observation, gate,
-                 rests);
+    // From the place on its way, up and down as well: from where it is measured, or has come to
+    // rest beside its leg, noise would carry it off way by way, and errors that last would keep it
+    // from a site that its hold has come to.
+    const Vec3 at = latched() ? on_way(observation) : position_of(observation);
+    plan_.update(observation, {at.x, at.y}, gate, rests);
     if (!plan_.wants_motion()) {
       if (has_legs()) drop_legs();
     } else if (rests) {
-      set_legs(level_legs(on_way(observation).z));
+      set_legs(level_legs(at.z));
     }
   }
   Legs level_legs(double height_m) {
@@ -73,7 +72,6 @@ class Level final : public Carried {
   }
 
   Plan plan_;
-  HeldPlaces places_;
 };
 
 // Brake; then along the shortest way with enough clearance to the site, around HELD robots.

@@ -14,35 +14,31 @@ bool is_held(const Announcement& other, TimeUs now_us);
 // Where it stays, of one that is HELD: the place that it holds, or else where it is measured.
 Vec3 place_of_held(const Announcement& other);
 
-// What a robot that has come to rest looks at: itself at the place that it holds, and those that are
-// HELD at theirs, as they look at its own. Of two that look at where they are measured, each at a
-// time of its own, errors may show each of them that only the other one has a way.
-class HeldPlaces {
- public:
-  // Until the next call. A copy: it allocates once more others are heard of than ever before, and
-  // not again.
-  const Observation& seen_from(const Observation& observation, Vec3 at);
-
- private:
-  Observation seen_;
-};
+// Where others see it: of one that is HELD that place, whatever is measured meanwhile. Of two that
+// look at what is measured, each at a time of its own, errors may show each of them that only the
+// other one has a way.
+Vec2 seen_at(const Announcement& other, TimeUs now_us);
 
 // A robot that goes first, is HELD and found no way past the others; -1: none.
 int asks_for_passage(const Observation& observation);
 // Distance from `place` to the rest of a robot's announced way, its position included.
-double distance_to_way(Vec2 place, const Announcement& other);
+double distance_to_way(Vec2 place, const Announcement& other, TimeUs now_us);
 
 class Manoeuvre {
  public:
-  // Of those that look at HeldPlaces; others look at what is measured.
-  static constexpr bool looks_at_held_places = false;
+  // At rest, from the place that it holds, as others see it, or else from where it is measured.
+  static constexpr bool looks_from_hold = false;
 
   explicit Manoeuvre(const Setting& setting) : setting_(setting), route_(*setting.zone) {}
   virtual ~Manoeuvre() = default;
 
   virtual void engage(const Observation& observation) = 0;
-  // Every tick on which the robot can be steered. `at_rest`: the pilot has latched its hold.
-  virtual void update(const Observation& observation, Gate gate, bool at_rest) = 0;
+  // Every tick on which the robot can be steered. `at`: where it looks from. `at_rest`: the pilot
+  // has latched its hold.
+  void update(const Observation& observation, Vec2 at, Gate gate, bool at_rest) {
+    at_ = at;
+    decide(observation, gate, at_rest);
+  }
 
   [[nodiscard]] bool wants_motion() const { return !way_.finished(); }
   Path& way() { return way_; }
@@ -53,11 +49,12 @@ class Manoeuvre {
   [[nodiscard]] virtual bool errand() const { return false; }
 
  protected:
+  virtual void decide(const Observation& observation, Gate gate, bool at_rest) = 0;
   void stay() {
     way_.points.clear();
     way_.index = 0;
   }
-  // A query from the present position; HELD robots as circles of the pass gap, if wanted.
+  // A query from where it looks; HELD robots as circles of the pass gap, if wanted.
   [[nodiscard]] RouteQuery query(const Observation& observation, bool around_held) const;
   // Heads for the nearest place that nobody is near, and nowhere nearer to HELD robots: over cells,
   // or first along the wall, where it stands too near to that for cells to lead on.
@@ -69,6 +66,7 @@ class Manoeuvre {
   Setting setting_;
   GridRoute route_;
   Path way_;
+  Vec2 at_;
 
  private:
   bool leave_along_wall(const RouteQuery& away, const PlaceTest& aside);
@@ -77,11 +75,11 @@ class Manoeuvre {
 // Stands where the pilot has brought it to rest; makes way for nobody.
 class BrakeManoeuvre {
  public:
-  static constexpr bool looks_at_held_places = false;
+  static constexpr bool looks_from_hold = false;
 
   explicit BrakeManoeuvre(const Setting&) {}
   void engage(const Observation&) {}
-  void update(const Observation&, Gate, bool) {}
+  void update(const Observation&, Vec2, Gate, bool) {}
   [[nodiscard]] static bool wants_motion() { return false; }
   Path& way() { return nowhere_; }
   [[nodiscard]] const Path& shown_way() const { return nowhere_; }
@@ -97,11 +95,11 @@ class RetreatManoeuvre : public Manoeuvre {
  public:
   explicit RetreatManoeuvre(const Setting& setting) : RetreatManoeuvre(setting, 0) {}
   void engage(const Observation& observation) override;
-  void update(const Observation& observation, Gate gate, bool at_rest) override;
 
  protected:
   // `room_m`: how much more clearance than it needs it would like to have.
   RetreatManoeuvre(const Setting& setting, double room_m) : Manoeuvre(setting), room_m_(room_m) {}
+  void decide(const Observation& observation, Gate gate, bool at_rest) override;
   // At rest, with control not given back.
   virtual void look(const Observation& observation);
 
@@ -137,15 +135,15 @@ class RouteManoeuvre : public Manoeuvre {
  public:
   RouteManoeuvre(const Setting& setting, Vec2 site) : Manoeuvre(setting), site_(site) {}
   void engage(const Observation& observation) override;
-  void update(const Observation& observation, Gate gate, bool at_rest) override;
   [[nodiscard]] const Path& shown_way() const override { return blocked_ ? blocked_way_ : way_; }
   [[nodiscard]] bool blocked() const override { return blocked_; }
   [[nodiscard]] bool parked() const override { return parked_; }
   [[nodiscard]] bool errand() const override { return true; }
 
  private:
+  void decide(const Observation& observation, Gate gate, bool at_rest) override;
   void look(const Observation& observation);
-  [[nodiscard]] bool goes_on(const Observation& observation) const;
+  [[nodiscard]] bool goes_on() const;
   void count_driven(const Observation& observation, bool at_rest);
   [[nodiscard]] RouteQuery around_robots(const Observation& observation, bool held_only) const;
   [[nodiscard]] bool meets_held(const Observation& observation) const;
@@ -165,14 +163,14 @@ class RouteManoeuvre : public Manoeuvre {
 
 class YieldManoeuvre : public Manoeuvre {
  public:
-  static constexpr bool looks_at_held_places = true;
+  static constexpr bool looks_from_hold = true;
   using Manoeuvre::Manoeuvre;
   void engage(const Observation& observation) override;
-  void update(const Observation& observation, Gate gate, bool at_rest) override;
   // It should back off and has no place to go: the others have to move.
   [[nodiscard]] bool blocked() const override { return cornered_; }
 
  private:
+  void decide(const Observation& observation, Gate gate, bool at_rest) override;
   // The robot that it makes way for; -1: none.
   [[nodiscard]] int makes_way_for(const Observation& observation) const;
   // Nobody has made way for as long as any other wait lasts.

@@ -140,8 +140,9 @@ class Pilot<Acceleration> {
   // Latched, and slow enough to be driven off.
   [[nodiscard]] bool at_rest(const Observation& observation) const;
   // The motion that `drive` would command leads nowhere nearer to `from`: back to the leg that it
-  // was stopped on, as far as that is more than its hold sways, and on to `target`. A leg that leads
-  // away does so from where it begins on: what errors put the robot beside it by does not count.
+  // was stopped on, as far as that is more than its hold sways, and on to `target`. A leg that
+  // leads away does so from where it begins on: what errors put the robot beside it by does not
+  // count.
   [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
 
  private:
