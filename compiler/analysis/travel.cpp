@@ -174,10 +174,16 @@ Rational hold_seconds(const sema::RobotKind& kind, const Rational& period) {
 // It brakes, rests, sees where it does so, and looks for its way; wheels when some measurements
 // tell that they stand.
 Rational rest_seconds(const sema::RobotKind& kind, const Rational& period) {
-  const int samples = kind.motion.turn ? pace::rest_samples : 1;
-  return kind.motion.speed.value / braking(kind) +
-         samples * (delay(kind, period) + seconds_of(kind.velocity)) + seconds_of(kind.position) +
-         period + Rational(pace::look_every_ms, 1000);
+  const Rational sample = delay(kind, period) + seconds_of(kind.velocity);
+  Rational told = sample;
+  if (kind.motion.turn) {
+    // seen to be still it may yet come on, and its place is one from after that
+    const Rational errs = kind.velocity ? kind.velocity->error.value : Rational(0);
+    const Rational stops = (2 * errs + Rational(pace::still_mmps, 1000)) / braking(kind);
+    told = std::max(Rational(pace::rest_samples * sample), Rational(sample + stops));
+  }
+  return kind.motion.speed.value / braking(kind) + told + seconds_of(kind.position) + period +
+         Rational(pace::look_every_ms, 1000);
 }
 // So often; but at its last rest its hold need not settle any more.
 Rational rests_seconds(const sema::RobotKind& kind, const Rational& period, const Rational& rests) {

@@ -33,7 +33,7 @@ inline constexpr int turn_mrad_per_delay = 500;
 inline constexpr int aim_ahead_mm = 200;
 inline constexpr int aim_ahead_turns_permille = 1400;
 inline constexpr int aim_ahead_delays = 2;
-inline constexpr int rest_samples = 3;
+inline constexpr int rest_samples = 3, still_mmps = 10;
 inline constexpr int look_every_ms = 1000;
 inline constexpr int near_mm = 5;     // of the end of a leg, errors and pushes apart
 inline constexpr int waypoints = 64;  // of one piece of a way

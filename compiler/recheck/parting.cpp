@@ -21,6 +21,7 @@
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/squares.h"
 #include "compiler/recheck/sums.h"
+#include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -521,7 +522,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const Rational need_not = back + 2 * seen_off;
   const Rational stays = milli(*gap) + n.position_error;
   if (stays < need_not) return wrong(too_near_to_return);
-  if (milli(*apart) < std::min(stays, need_not)) {
+  if (milli(*apart) < need_not) {
     return wrong("robots that are nearer to each other may have to part, too");
   }
   const geometry::Region* const region = claims.zones().region(*zone);
@@ -531,9 +532,9 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const double body = std::max(0.0, n.radius.get_d() - off);
   // in space one may hold straight over the other one
   const double nearest = kind.in_space ? 0 : 2 * body;
-  const auto found = without_parting(
-      *region, {*cell, *x, *y},
-      {milli(*route).get_d(), body, nearest, milli(*apart).get_d(), far + 3 * error});
+  const auto found = without_parting(*region, {*cell, *x, *y},
+                                     {milli(*route).get_d(), body, nearest, milli(*apart).get_d(),
+                                      far + 3 * error + ends_within(kind, d)});
   const auto* const meeting = std::get_if<Meeting>(&found);
   if (meeting == nullptr) return wrong("the cells are not those of the zone, or too many");
   if (!*meeting) return std::nullopt;

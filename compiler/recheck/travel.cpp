@@ -1,6 +1,8 @@
 #include "compiler/recheck/travel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <variant>
 
 #include "compiler/interp/number.h"
@@ -22,6 +24,7 @@ const Rational aims_ahead(1, 5);       // m, or 1.4 of its speed over the gain, 
 const Rational looks_every(1);         // s
 const Rational eighth(7854, 10000);    // of a circle, from above
 const Rational near(1, 200);           // m, of what it follows, at the end of a leg
+const Rational still(1, 100);          // m/s, and the error: wheels that are measured to stand
 constexpr int samples_at_rest = 3;
 constexpr int waypoints = 64;  // of one piece of a way
 
@@ -112,6 +115,28 @@ class Travel {
     const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
     return omega * (speed_ / 2 + omega * place + 2 * errs) <= brakes_;
   }
+  // How near to the end of its leg one counts as having come there: within 2 cm, or the error of
+  // its place, or where what lasts stops it. That takes from the set-point, along the leg and
+  // beside it, in all directions.
+  [[nodiscard]] double ends_within() const {
+    const double place = kind_.position ? kind_.position->error.value.get_d() : 0;
+    const double least = std::max(0.02, place);
+    if (wheels_ || steers_ <= 0) return least;
+    const double brake = planned().get_d(), late = brake * delay_.get_d(), taken = taken_.get_d();
+    const double gain =
+        std::min(1.0, 0.5 / Rational(settling_ + acts_ + oldest(kind_.position)).get_d());
+    constexpr int directions = 90;
+    double most = least;
+    for (int k = 0; k < directions; ++k) {
+      const double from = std::numbers::pi / 2 * k / directions;
+      const double to = std::numbers::pi / 2 * (k + 1) / directions;
+      const double set = arrival.get_d() * taken * std::cos(from);
+      if (set <= creep.get_d()) break;
+      const double along = set * (set + 2 * late) / (2 * brake);
+      most = std::max(most, std::hypot(along, taken * std::sin(to) / gain));
+    }
+    return most;
+  }
   // In space its hold is carried along a way over cells, from rest to rest at each; the robot
   // trails it, and what is left of that at its end shrinks by 0.7 of its frequency, from 2.3 of the
   // pace over that. What has been latched first settles likewise. nullopt: its brake is too weak to
@@ -145,9 +170,14 @@ class Travel {
   }
   // It brakes, sees that it rests and then where, and looks for its way.
   [[nodiscard]] Rational rest() const {
-    return kind_.motion.speed.value / brakes_ +
-           (wheels_ ? samples_at_rest : 1) * (delay_ + oldest(kind_.velocity)) +
-           oldest(kind_.position) + period_ + looks_every;
+    const Rational sample = delay_ + oldest(kind_.velocity);
+    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
+    const Rational comes_on = (2 * errs + still) / brakes_;
+    const Rational told =
+        wheels_ ? std::max(Rational(samples_at_rest * sample), Rational(sample + comes_on))
+                : sample;
+    return kind_.motion.speed.value / brakes_ + told + oldest(kind_.position) + period_ +
+           looks_every;
   }
   // Before a point mass sets out: its hold begins at the speed v at which it is seen to rest, and
   // its error, and swings by less than 1.23 v / omega, with what a delay adds 1.41, which shrinks
@@ -256,6 +286,10 @@ Rational beside_way(const sema::RobotKind& kind, const sema::Decision& decision,
   const Travel travel(kind, decision, speed);
   if (!travel.steers()) return beside_least;
   return travel.has_wheels() ? travel.wheels_beside() : travel.beside();
+}
+
+double ends_within(const sema::RobotKind& kind, const sema::Decision& decision) {
+  return Travel(kind, decision, 0).ends_within();
 }
 
 std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,

@@ -42,6 +42,8 @@ inline const Rational beside_least(1, 20);
 // included; what does not get on has no way.
 Rational beside_way(const sema::RobotKind& kind, const sema::Decision& decision,
                     const Rational& speed);
+// How near to the end of its leg a recovery of the plane counts as having come there, in m.
+double ends_within(const sema::RobotKind& kind, const sema::Decision& decision);
 // How far beside its leg a point mass comes at most, what pushes it included. nullopt: as above, or
 // it has wheels.
 std::optional<Rational> beside_leg(const sema::RobotKind& kind, const sema::Decision& decision,

@@ -3,6 +3,7 @@
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
+#include "compiler/analysis/travel.h"
 #include "compiler/geometry/parting.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -60,11 +61,12 @@ geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   const std::int64_t back_mm = analysis::given_back_mm(
       d, ahead_us_of(m), analysis::sure_separation_mm(m.property, d.facts.params));
   const std::int64_t off_mm = analysis::off_hold_mm(body) - (body.sway_mm > 0 ? 0 : error_mm);
+  const std::int64_t reach_mm = analysis::end_reach_mm(s.kind, d.period_us);
   return {.clearance_mm = mm(yield.route_clearance_mm),
           .body_mm = mm(body.radius_mm - off_mm),
           .nearest_mm = body.in_space ? 0 : mm(2 * (body.radius_mm - off_mm)),
-          .apart_mm = mm(std::min(yield.pass_gap_mm + error_mm + 1, back_mm)),
-          .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + 1),
+          .apart_mm = mm(back_mm),
+          .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + reach_mm + 1),
           .stands_mm = mm(body.radius_mm + error_mm),
           .off_grid = !is_on_grid(s, yield.zone)};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtac/safe/manoeuvre.h"
+#include "rtac/safe/pilot.h"
 
 namespace rtac::safe {
 
@@ -9,7 +10,9 @@ namespace rtac::safe {
 class Aside : public PlaceTest {
  public:
   explicit Aside(const Setting& setting)
-      : gap_m_(setting.pass_gap_m), error_m_(setting.limits.position_error_m) {}
+      : gap_m_(setting.pass_gap_m),
+        error_m_(setting.limits.position_error_m),
+        reach_m_(end_reach_m(setting)) {}
   void keep_from(Vec2 robot) { (void)robots_.push(robot); }
   void keep_from_way(Vec2 from, const Path& plan) {
     keep_from(from);
@@ -18,10 +21,11 @@ class Aside : public PlaceTest {
       from = plan.points[i];
     }
   }
-  // A place to go to has room for the position errors of either robot and of the arrival; a place
-  // to stay at, for the other's view of this one, so that the passing robot sees the gap too.
+  // A place to go to has room for how near to its end a leg ends, as measured, and for errors of
+  // that and of the place where it comes to rest; a place to stay at, for the other's view of this
+  // one, so that the passing robot sees the gap too.
   [[nodiscard]] bool accepts(Vec2 place, double) const override {
-    return clear(place, gap_m_ + 3 * error_m_);
+    return clear(place, gap_m_ + 3 * error_m_ + reach_m_);
   }
   [[nodiscard]] bool good_enough(Vec2 place) const { return clear(place, gap_m_ + error_m_); }
 
@@ -39,7 +43,7 @@ class Aside : public PlaceTest {
     return true;
   }
 
-  double gap_m_, error_m_;
+  double gap_m_, error_m_, reach_m_;
   FixedList<Vec2, max_robots> robots_;
   FixedList<Leg, max_waypoints> way_;
 };

@@ -191,6 +191,7 @@ void Pilot<Acceleration>::leave_far_leg() {
   if (!(norm(at - nearest_on(prolonged, at)) <= stray_m())) on_leg_.reset();
 }
 
+// The nearest place of its leg, if it was stopped on one.
 Vec3 Pilot<Acceleration>::sets_out_from() const {
   if (!on_leg_) return hold_at_;
   const Vec2 nearest = nearest_on(*on_leg_, {hold_at_.x, hold_at_.y});
@@ -211,10 +212,17 @@ bool Pilot<Acceleration>::move_hold(Vec3 to, double step_m) {
   return left_m <= step_m;
 }
 
-bool Pilot<Acceleration>::sets_out(const Observation& observation) {
+Vec2 Pilot<Acceleration>::on_way(const Observation& observation) const {
+  const Vec2 p = observation.position.value;
+  if (!latched_) return driving_ && on_leg_ ? nearest_on(*on_leg_, p) : p;
+  const Vec3 first = sets_out_from();
+  return {first.x, first.y};
+}
+
+bool Pilot<Acceleration>::sets_out(const Observation& observation, Vec2 at) {
   if (!latched_) {
     if (on_leg_) return false;  // it was stopped
-    tracker_.begin(observation.position.value);
+    tracker_.begin(at);
     return true;
   }
   const double step_m = speed_mps_ * static_cast<double>(period_us_) * s_per_us;
@@ -224,9 +232,9 @@ bool Pilot<Acceleration>::sets_out(const Observation& observation) {
   return true;
 }
 
-Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& way) {
+Acceleration Pilot<Acceleration>::drive(const Observation& observation, Vec2 at, Path& way) {
   const Vec2 v = observation.velocity.value, p = observation.position.value;
-  if (!driving_ && !sets_out(observation)) return halt(observation);
+  if (!driving_ && !sets_out(observation, at)) return halt(observation);
   if (!tracker_.advance(way, p, end_reach_m_)) {
     on_leg_.reset();
     return halt(observation);
@@ -249,13 +257,10 @@ Acceleration Pilot<Acceleration>::drive(const Observation& observation, Path& wa
   return limited({pull.x, pull.y, 0}, limit);
 }
 
-bool Pilot<Acceleration>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
-  if (!latched_) {
-    const Vec2 p = observation.position.value;
-    return safe::recedes(driving_ && on_leg_ ? nearest_on(*on_leg_, p) : p, target, from);
-  }
+bool Pilot<Acceleration>::recedes(const Observation&, Vec2 at, Vec2 target, Vec2 from) const {
+  if (!safe::recedes(at, target, from)) return false;
+  if (!latched_) return true;
   const Vec3 first = sets_out_from();
-  if (!safe::recedes({first.x, first.y}, target, from)) return false;
   return norm(first - hold_at_) <= sway_m_ ||
          safe::recedes({hold_at_.x, hold_at_.y}, {first.x, first.y}, from);
 }

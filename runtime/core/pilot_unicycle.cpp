@@ -11,8 +11,8 @@
 namespace rtac::safe {
 namespace {
 
-// At rest: measured speed within its error and this, for as many new measurements in a row.
-constexpr double rest_mps = 0.01;
+// What a base that stands may move by.
+constexpr double base_moves_m = 0.01;
 // Sideways part of a motion that the pursuit of a receding leg may have for a moment.
 constexpr double sideways_rad = 0.1;
 
@@ -49,10 +49,15 @@ Pilot<Twist>::Pilot(const Setting& setting)
       speed_mps_(setting.speed_mps),
       end_reach_m_(safe::end_reach_m(setting)),
       reaction_s_(delay_s(setting, 0)),
-      steering_(steering_of(setting)) {}
+      steering_(steering_of(setting)) {
+  // measured to be still, it may be faster than that by the error, and its brake is what it is
+  const double brake_mps2 = limits_.brake_mps2 > 0 ? limits_.brake_mps2 : limits_.accel_mps2;
+  const double fastest_mps = 2 * limits_.velocity_error_mps + pace::still_mps;
+  stops_us_ = brake_mps2 > 0 ? static_cast<TimeUs>(std::ceil(1e6 * fastest_mps / brake_mps2)) : 0;
+}
 
 void Pilot<Twist>::engage(const Observation&) {
-  latched_ = driving_ = turning_ = false;
+  latched_ = driving_ = turning_ = has_rested_ = false;
   not_at_rest();
 }
 
@@ -63,7 +68,7 @@ void Pilot<Twist>::not_at_rest() {
 
 // At rest it is for whoever takes over, too.
 void Pilot<Twist>::go_on(const Halt& halt) {
-  latched_ = halt.latched;
+  latched_ = has_rested_ = halt.latched;
   rests_at_ = halt.place;
   rest_.go_on(halt);
 }
@@ -88,25 +93,36 @@ Twist Pilot<Twist>::brake_blind(const Observation&) {
 
 Twist Pilot<Twist>::halt(const Observation& observation) {
   driving_ = false;
+  const bool carried_off = has_rested_ && !rests_near(observation.position.value);
+  if (carried_off) {
+    latched_ = has_rested_ = false;
+    not_at_rest();
+  }
   if (latched_) return {};
   if (rest_.admits(observation, limits_.latency_us)) {
-    const bool still = norm(observation.velocity.value) <= limits_.velocity_error_mps + rest_mps;
+    const bool still =
+        norm(observation.velocity.value) <= limits_.velocity_error_mps + pace::still_mps;
     rest_.sees(still);
     still_samples_ = still ? still_samples_ + 1 : 0;
   }
-  latched_ = still_samples_ >= pace::rest_samples && rest_.tells_where(observation);
-  if (latched_) rests_at_ = position_of(observation);
+  latched_ = still_samples_ >= pace::rest_samples && rest_.tells_where(observation, stops_us_);
+  if (latched_ && !has_rested_) {
+    has_rested_ = true;
+    rests_at_ = position_of(observation);
+  }
   return {};
 }
 
-Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
+Twist Pilot<Twist>::drive(const Observation& observation, Vec2 at, Path& way) {
   const Vec2 p = observation.position.value;
-  if (!driving_) tracker_.begin(latched_ ? Vec2{rests_at_.x, rests_at_.y} : p);
+  if (has_rested_ && !rests_near(p)) return halt(observation);  // nobody looked from there
+  if (!driving_) tracker_.begin(at);
   if (!tracker_.advance(way, p, end_reach_m_)) {
     return halt(observation);
   }
-  latched_ = false;
+  latched_ = has_rested_ = false;
   not_at_rest();
+  leg_ = {tracker_.from(), way.points[way.index]};
   const LegTracker::Bearing leg = tracker_.bearing(way, p);
   const bool sharp = dot(leg.direction, leg_direction_) < std::cos(pace::sharp_corner_rad);
   if (!driving_ || sharp) turning_ = true;
@@ -127,15 +143,23 @@ Twist Pilot<Twist>::drive(const Observation& observation, Path& way) {
   return out;
 }
 
+bool Pilot<Twist>::rests_near(Vec2 measured) const {
+  const double off_m = norm(measured - Vec2{rests_at_.x, rests_at_.y});
+  return off_m <= 2 * limits_.position_error_m + base_moves_m;
+}
+
+Vec2 Pilot<Twist>::on_way(const Observation& observation) const {
+  if (latched_) return {rests_at_.x, rests_at_.y};
+  const Vec2 p = observation.position.value;
+  return driving_ ? nearest_on(leg_, p) : p;
+}
+
 // Turning in place moves nothing, so that the heading counts once it drives.
-bool Pilot<Twist>::recedes(const Observation& observation, Vec2 target, Vec2 from) const {
-  Vec2 p = observation.position.value;
-  if (latched_) p = {rests_at_.x, rests_at_.y};
-  if (driving_) p = nearest_on({tracker_.from(), target}, p);
-  if (!safe::recedes(p, target, from)) return false;
+bool Pilot<Twist>::recedes(const Observation& observation, Vec2 at, Vec2 target, Vec2 from) const {
+  if (!safe::recedes(at, target, from)) return false;
   if (!driving_ || turning_) return true;
   const Vec2 forward{std::cos(observation.heading.value), std::sin(observation.heading.value)};
-  return dot(forward, p - from) >= -std::sin(sideways_rad) * norm(p - from);
+  return dot(forward, at - from) >= -std::sin(sideways_rad) * norm(at - from);
 }
 
 }  // namespace rtac::safe

@@ -140,7 +140,7 @@ double farthest_m(const Late& c, const Errors& errors) {
         leg_y = o.position.value.y;
         (void)way.points.push({1000, leg_y});
       }
-      coming.emplace_back(ms + c.latency_ms, pilot.drive(o, way));
+      coming.emplace_back(ms + c.latency_ms, pilot.drive(o, o.position.value, way));
     }
     while (!coming.empty() && coming.front().first <= ms) {
       acting = coming.front().second;

@@ -119,7 +119,8 @@ double excess_of_stops(const Case& c, std::int64_t open, std::int64_t closed) {
   const auto command = [&](safe::Pilot<Acceleration>& pilot, const Observation& seen) {
     const std::int64_t tick = seen.now_us / (1000 * c.period_ms);
     const bool rested = seen.now_us > 10'000'000;
-    return rested && tick % (open + closed) < open ? pilot.drive(seen, back) : pilot.halt(seen);
+    return rested && tick % (open + closed) < open ? pilot.drive(seen, seen.position.value, back)
+                                                   : pilot.halt(seen);
   };
   return excess(c, 96, command).beyond_m;
 }

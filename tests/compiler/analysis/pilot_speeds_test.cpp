@@ -99,7 +99,7 @@ double driven_mps(const Loop& loop, std::int64_t turns_ms) {
                        seen.position = {{at_m, 0}, stamp_us};
                        seen.velocity = {{at_mps, 0}, stamp_us};
                        if (now_us == 0) pilot.engage(seen);
-                       return pilot.drive(seen, way).value_mps2.x;
+                       return pilot.drive(seen, seen.position.value, way).value_mps2.x;
                      });
 }
 double landing_mps(const Loop& loop, std::int64_t turns_ms) {

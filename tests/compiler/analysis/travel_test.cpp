@@ -83,7 +83,7 @@ double driven_s(const RobotLimits& limits, double speed_mps, const std::vector<V
     headings.push_back(seen.heading);
     while (headings.front().stamp_us < plant.now_us - limits.heading_age_us) headings.pop_front();
     seen.heading = headings.front();
-    plant.apply(pilot.drive(seen, way), period_us);
+    plant.apply(pilot.drive(seen, seen.position.value, way), period_us);
   }
   while (!pilot.latched() && plant.now_us < 600'000'000) {
     plant.apply(pilot.halt(plant.observe()), period_us);
@@ -284,7 +284,7 @@ double misled_s(const RobotLimits& limits, double speed_mps, const std::vector<V
       const Vec2 right{b.direction.y, -b.direction.x};
       seen.position.value = plant.p + share * limits.position_error_m * right;
     }
-    const Twist out = pilot.drive(seen, way);
+    const Twist out = pilot.drive(seen, seen.position.value, way);
     turning = out.speed_mps == 0;
     if (way.index != leg) {
       truth.begin(points[way.index - 1]);

@@ -98,11 +98,11 @@ void expect_to_recede() {
   const auto recedes = [&](Vec2 from) {
     Observation seen = plant.observe();
     seen.position.value.x -= setting.limits.position_error_m;
-    return pilot.recedes(seen, target, from);
+    return pilot.recedes(seen, pilot.on_way(seen), target, from);
   };
   EXPECT_TRUE(recedes(beside));
   EXPECT_FALSE(recedes(ahead));
-  plant.apply(pilot.drive(plant.observe(), way), setting.period_us);
+  plant.apply(test::driven(pilot, plant, way), setting.period_us);
   ASSERT_FALSE(pilot.latched());
   EXPECT_TRUE(recedes(beside));
   EXPECT_FALSE(recedes(ahead));

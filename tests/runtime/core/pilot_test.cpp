@@ -39,7 +39,7 @@ double worst_deviation(const Setting& setting, TimeUs limit_us) {
   Path way = square();
   double worst = 0;
   while (!way.finished() && plant.now_us < limit_us) {
-    plant.apply(pilot.drive(plant.observe(), way), setting.period_us);
+    plant.apply(driven(pilot, plant, way), setting.period_us);
     double nearest = 1e9;
     for (std::size_t i = 0; i < 4; ++i) {
       const Vec2 a = square().points[i], b = square().points[(i + 1) % 4];
@@ -218,7 +218,7 @@ double nearest_to_leg_m(const Halt& halt, Vec2 place) {
   Plant<Acceleration>& plant = drone_at.plant;
   double nearest_m = 1e9;
   while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
-    plant.apply(drone_at.pilot.drive(plant.observe(), drone_at.way), 50'000);
+    plant.apply(driven(drone_at.pilot, plant, drone_at.way), 50'000);
     nearest_m = std::min(nearest_m, distance_to_segment(plant.p, {0, 0}, {4, 0}));
   }
   EXPECT_TRUE(drone_at.way.finished());
@@ -272,7 +272,7 @@ TEST(PointPilot, IsNotDrawnThroughWhatLiesBesideItsOldLeg) {
   drone_at.way.points.clear();
   (void)drone_at.way.points.push({4, 0});
   pilot.engage(plant.observe());
-  for (int i = 0; i < 60; ++i) plant.apply(pilot.drive(plant.observe(), drone_at.way), 50'000);
+  for (int i = 0; i < 60; ++i) plant.apply(driven(pilot, plant, drone_at.way), 50'000);
   ASSERT_GT(plant.p.x, 0.5);
   for (int i = 0; i < 60; ++i) {  // three seconds
     Observation blind = plant.observe();
@@ -287,7 +287,7 @@ TEST(PointPilot, IsNotDrawnThroughWhatLiesBesideItsOldLeg) {
   drone_at.way.index = 0;
   (void)drone_at.way.points.push({3, plant.p.y});
   while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
-    plant.apply(pilot.drive(plant.observe(), drone_at.way), 50'000);
+    plant.apply(driven(pilot, plant, drone_at.way), 50'000);
     least_m = std::min(least_m, plant.p.y);
   }
   EXPECT_TRUE(drone_at.way.finished());
@@ -300,7 +300,8 @@ TEST(PointPilot, GoesBackToItsLegOnlyAwayFromRobotsThatAreHeld) {
     const Standing drone_at(stopped_on_leg({place.x, place.y, 0}), place, {});
     Observation seen;
     seen.position.value = place;
-    return drone_at.pilot.recedes(seen, {2, target_y}, {place.x, held_y});
+    return drone_at.pilot.recedes(seen, drone_at.pilot.on_way(seen), {2, target_y},
+                                  {place.x, held_y});
   };
   EXPECT_FALSE(recedes({1, 0.15}, 3, -1));  // the leg lies between them
   EXPECT_TRUE(recedes({1, 0.15}, -3, 1));
@@ -318,7 +319,7 @@ TEST(PointPilot, TakesOverAtThePlaceThatIsHeld) {
   Plant<Acceleration>& plant = drone_at.plant;
   double least_m = plant.p.x;
   while (!drone_at.way.finished() && plant.now_us < 60'000'000) {
-    plant.apply(drone_at.pilot.drive(plant.observe(), drone_at.way), 50'000);
+    plant.apply(driven(drone_at.pilot, plant, drone_at.way), 50'000);
     least_m = std::min(least_m, plant.p.x);
   }
   EXPECT_TRUE(drone_at.way.finished());

@@ -103,6 +103,13 @@ inline void Plant<Twist>::move(double dt) {
   p = p + dt * v;
 }
 
+// What a pilot commands that looks from where it is measured.
+template <class Pilot, class Output>
+Output driven(Pilot& pilot, Plant<Output>& plant, Path& way) {
+  const Observation& seen = plant.observe();
+  return pilot.drive(seen, seen.position.value, way);
+}
+
 // One decision period of a safe controller on its plant.
 template <class Output>
 void tick(SafeController<Output>& controller, Plant<Output>& plant, Gate gate, TimeUs period_us) {

@@ -29,9 +29,10 @@ class Driven : public SafeController<Output> {
   [[nodiscard]] std::optional<Halt> halt() const override { return pilot_.halting(); }
   Output command(const Observation& observation, Gate gate) override {
     if (!pilot_.can_steer(observation)) return pilot_.brake_blind(observation);
-    plan_.update(observation, looks_from(observation), gate, pilot_.at_rest(observation));
-    if (!plan_.wants_motion() || !allowed(observation, gate)) return pilot_.halt(observation);
-    return pilot_.drive(observation, plan_.way());
+    const Vec2 at = Plan::looks_from_hold ? pilot_.on_way(observation) : observation.position.value;
+    plan_.update(observation, at, gate, pilot_.at_rest(observation));
+    if (!plan_.wants_motion() || !allowed(observation, at, gate)) return pilot_.halt(observation);
+    return pilot_.drive(observation, at, plan_.way());
   }
   [[nodiscard]] bool holding() const override { return pilot_.latched() && !plan_.wants_motion(); }
   [[nodiscard]] bool blocked() const override { return plan_.blocked(); }
@@ -42,19 +43,15 @@ class Driven : public SafeController<Output> {
   }
 
  private:
-  [[nodiscard]] Vec2 looks_from(const Observation& observation) const {
-    if (!Plan::looks_from_hold || !pilot_.latched()) return observation.position.value;
-    const Vec3 from = pilot_.sets_out_from();
-    return {from.x, from.y};
-  }
-  [[nodiscard]] bool allowed(const Observation& observation, Gate gate) {
+  [[nodiscard]] bool allowed(const Observation& observation, Vec2 at, Gate gate) {
     if (gate == Gate::free) return true;
     if (gate == Gate::hold) return false;
     const Vec2 target = plan_.way().points[plan_.way().index];
     for (int j = 0; j < observation.robots; ++j) {
       const Announcement& other = observation.others[static_cast<std::size_t>(j)];
       if (j == observation.self || !is_held(other, observation.now_us)) continue;
-      if (!pilot_.recedes(observation, target, seen_at(other, observation.now_us))) return false;
+      const Vec2 there = seen_at(other, observation.now_us);
+      if (!pilot_.recedes(observation, at, target, there)) return false;
     }
     return true;
   }

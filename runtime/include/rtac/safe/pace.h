@@ -41,8 +41,9 @@ inline constexpr double turn_begin_rad = 0.35, turn_begin_errors = 5;
 // Unicycle: it steers for a point of the leg's line that is so far ahead, or as far as it comes in
 // 1.4 over that gain (a damping ratio of 0.59), or in twice the delay of its position.
 inline constexpr double aim_ahead_m = 0.2, aim_ahead_turns = 1.4, aim_ahead_delays = 2;
-// Unicycle: as many new measurements within the error of the speed show that it rests.
+// Unicycle: as many new measurements within the error of the speed and this show that it rests.
 inline constexpr int rest_samples = 3;
+inline constexpr double still_mps = 0.01;
 // A recovery at rest looks for a way this often.
 inline constexpr TimeUs look_every_us = 1'000'000;
 

@@ -93,9 +93,11 @@ class RestWitness {
       still_since_us_ = last_us_;
     }
   }
-  // The newest position is one of the robot at rest.
-  [[nodiscard]] bool tells_where(const Observation& observation) const {
-    return still_since_us_ != never_us && observation.position.stamp_us >= still_since_us_;
+  // The newest position is one of the robot at rest: as long after that velocity as it may still
+  // take to stop.
+  [[nodiscard]] bool tells_where(const Observation& observation, TimeUs stops_us = 0) const {
+    return still_since_us_ != never_us &&
+           observation.position.stamp_us >= still_since_us_ + stops_us;
   }
 
  private:
@@ -128,22 +130,21 @@ class Pilot<Acceleration> {
   Acceleration halt(const Observation& observation);
   // Follows `way` from way.index on and advances it; halts at its end. Stopped on a leg it sets out
   // again from that leg, at rest, if it has come to rest as near to it as a stop explains.
-  Acceleration drive(const Observation& observation, Path& way);
+  // `at`: as `on_way`, or as it is measured.
+  Acceleration drive(const Observation& observation, Vec2 at, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
   // While it holds: the place to hold moves by at most `step_m` towards `to`. True: it is there.
   bool carry(Vec3 to, double step_m);
-  // While it holds: where its next leg begins, which is the nearest place of its leg, if it was
-  // stopped on one.
-  [[nodiscard]] Vec3 sets_out_from() const;
+  // Errors may have put it beside its leg as it is measured: the nearest place of that, while it
+  // drives or if it was stopped on it; or else the place that it holds.
+  [[nodiscard]] Vec2 on_way(const Observation& observation) const;
   // How far from the place that it holds it may be measured, once it is there.
   [[nodiscard]] double sway_m() const { return sway_m_; }
   // Latched, and slow enough to be driven off.
   [[nodiscard]] bool at_rest(const Observation& observation) const;
   // The motion that `drive` would command leads nowhere nearer to `from`: back to the leg that it
-  // was stopped on, as far as that is more than its hold sways, and on to `target`. A leg that
-  // leads away does so from where it begins on: what errors put the robot beside it by does not
-  // count.
-  [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
+  // was stopped on, as far as that is more than its hold sways, and on from `at` to `target`.
+  [[nodiscard]] bool recedes(const Observation& observation, Vec2 at, Vec2 target, Vec2 from) const;
 
  private:
   [[nodiscard]] Acceleration limited(Vec3 a, double limit_mps2) const;
@@ -153,7 +154,8 @@ class Pilot<Acceleration> {
   // How far beside its leg it may be measured, once it was stopped on it.
   [[nodiscard]] double stray_m() const;
   void leave_far_leg();
-  bool sets_out(const Observation& observation);
+  [[nodiscard]] Vec3 sets_out_from() const;
+  bool sets_out(const Observation& observation, Vec2 at);
   bool move_hold(Vec3 to, double step_m);
 
   RobotLimits limits_;
@@ -186,14 +188,16 @@ class Pilot<Twist> {
   [[nodiscard]] bool can_steer(const Observation& observation) const;
   Twist brake_blind(const Observation& observation);
   Twist halt(const Observation& observation);
-  Twist drive(const Observation& observation, Path& way);
+  Twist drive(const Observation& observation, Vec2 at, Path& way);
   [[nodiscard]] bool latched() const { return latched_; }
-  [[nodiscard]] Vec3 sets_out_from() const { return rests_at_; }
   [[nodiscard]] bool at_rest(const Observation&) const { return latched_; }
-  [[nodiscard]] bool recedes(const Observation& observation, Vec2 target, Vec2 from) const;
+  [[nodiscard]] Vec2 on_way(const Observation& observation) const;
+  [[nodiscard]] bool recedes(const Observation& observation, Vec2 at, Vec2 target, Vec2 from) const;
 
  private:
   void not_at_rest();
+  // It may be measured there, if it is still where it has come to rest.
+  [[nodiscard]] bool rests_near(Vec2 measured) const;
 
   RobotLimits limits_;
   TimeUs period_us_;
@@ -202,9 +206,14 @@ class Pilot<Twist> {
   double reaction_s_;
   Steering steering_;
   LegTracker tracker_;
+  Leg leg_;  // that it drives
   Vec2 leg_direction_;
   bool latched_ = false, driving_ = false, turning_ = false;
-  Vec3 rests_at_;  // once it is latched: as measured then. The base holds its place by itself
+  // Where it has come to rest, as measured then: the base holds that place by itself. It is the
+  // same after a gap of samples.
+  Vec3 rests_at_;
+  bool has_rested_ = false;  // there, and it has not been driven since
+  TimeUs stops_us_;          // from when it is seen to be still until it stands
   RestWitness rest_;
   int still_samples_ = 0;
 };
