@@ -75,7 +75,7 @@ class Deriver {
     if (!judge) return found;
     found.complete = derived && worth(found);
     if (!found.complete) return found;
-    found.effort_of_shown = 2 * std::exchange(found.effort, 0);
+    found.effort_of_shown = 2 * std::exchange(found.effort, 0) + effort_of_pairs(derived->module);
     found.all.merge(judge(spec, std::move(*derived), aside));
     return found;
   }

@@ -108,6 +108,9 @@ class Search {
 
   Parting run() {
     const std::vector<Near> near = near_cells();
+    if (const auto hopeless = pair_beyond_all_goals(near)) {
+      return stuck_in(hopeless->first, hopeless->second);
+    }
     for (int one = 0; index(one) < places_.size(); ++one) {
       forget_before(one);
       if (!holds_somebody(one)) continue;
@@ -220,6 +223,33 @@ class Search {
   }
   [[nodiscard]] Clearings clearings_of() const {
     return {size_, static_cast<double>(query_.goal_mm), landing_reach_mm()};
+  }
+  // Two robots from which no cell that ways lead over is as far off as ways end: whoever stands
+  // there need not look for any. Long distances in halls that are hardly longer have many such
+  // pairs.
+  [[nodiscard]] std::optional<std::pair<int, int>> pair_beyond_all_goals(
+      const std::vector<Near>& near) {
+    int west = cells_.columns, east = -1, south = cells_.rows, north = -1;
+    for (int cell = 0; index(cell) < places_.size(); ++cell) {
+      if (!may_be_clear(cell)) continue;
+      west = std::min(west, column(cell)), east = std::max(east, column(cell));
+      south = std::min(south, row(cell)), north = std::max(north, row(cell));
+    }
+    const auto has_no_goal = [&](int cell) {
+      const int c = std::max(column(cell) - west, east - column(cell)) + 1;
+      const int r = std::max(row(cell) - south, north - row(cell)) + 1;
+      return size_ * size_ * (squared(c) + squared(r)) < squared(query_.goal_mm);
+    };
+    for (int one = 0; index(one) < places_.size(); ++one) {
+      if (!has_no_goal(one) || !holds_somebody(one)) continue;
+      for (const Near& to : near) {
+        const int c = column(one) + to.step.columns, r = row(one) + to.step.rows;
+        if (c < 0 || c >= cells_.columns || r >= cells_.rows) continue;
+        const int other = r * cells_.columns + c;
+        if (has_no_goal(other) && holds_somebody(other)) return std::pair{one, other};
+      }
+    }
+    return std::nullopt;
   }
   // From a cell to itself and the later ones of which some place is so near to one of its own.
   [[nodiscard]] std::vector<Near> near_cells() {

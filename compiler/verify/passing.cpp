@@ -1,6 +1,7 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
@@ -125,6 +126,20 @@ Instead drives_instead(const Subject& s, std::size_t k) {
     }
   }
   return found;
+}
+
+// Recoveries of a lower rank that may lead a robot past one that holds; "": there are none.
+std::string led_past(const Subject& s, std::size_t k) {
+  const std::vector<ir::Monitor>& all = s.decision.monitors;
+  std::vector<std::string> led;
+  for (std::size_t i = k + 1; i < all.size(); ++i) {
+    const ir::Recovery& last = ir::last_step(all[i].recovery);
+    const bool own = all[i].recovery.name == all[k].recovery.name;
+    if (own || (!ir::moves(last.kind) && !last.claims)) continue;
+    const std::string name = quoted(all[i].recovery.name);
+    if (std::ranges::find(led, name) == led.end()) led.push_back(name);
+  }
+  return analysis::joined(led);
 }
 
 // "": nothing else than the other one of two robots keeps control from coming back.
@@ -327,6 +342,9 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
               " too near to each other one always finds a way, nowhere nearer to the other one, " +
               "to a distance of " + metres(yield.pass_gap_mm) +
               "; it is given back, and the other one as soon as nobody drives near it";
+  if (const std::string led = led_past(s, k); !led.empty()) {
+    o.because += ", as " + led + " may try to";
+  }
   if (!told.empty()) o.because += "; both of it where inputs and agents let them go on: " + told;
   o.repair.clear();
   o.claims.push_back(with_cells({"parting",

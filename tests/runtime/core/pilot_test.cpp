@@ -368,6 +368,51 @@ TEST(UnicyclePilot, RestsOnNewMeasurementsOfTheHaltOnly) {
   EXPECT_TRUE(pilot.latched());
 }
 
+// Measured to be still, wheels with a weak brake and a large error may still come on by decimetres.
+TEST(UnicyclePilot, TellsWhereItStandsOnceItMustHaveStopped) {
+  Setting setting = cart();
+  setting.limits.velocity_error_mps = 0.1, setting.limits.brake_mps2 = 0.25;
+  setting.limits.accel_mps2 = 0.25;
+  Plant<Twist> plant(setting.limits, {0, 0});
+  plant.noisy = 0;
+  plant.speed = setting.limits.speed_mps;
+  plant.velocity_bias = {-setting.limits.velocity_error_mps, 0};
+  Pilot<Twist> pilot(setting);
+  pilot.engage(plant.observe());
+  for (int i = 0; i < 100 && !pilot.latched(); ++i) {
+    plant.apply(pilot.halt(plant.observe()), 20'000);
+  }
+  ASSERT_TRUE(pilot.latched());
+  const Vec2 told{pilot.halting()->place.x, pilot.halting()->place.y};
+  for (int i = 0; i < 100; ++i) plant.apply(pilot.halt(plant.observe()), 20'000);
+  EXPECT_LT(norm(plant.p - told), 0.01);
+}
+
+// Over a gap of samples it rests where it did. Measured elsewhere it was carried off: it does not
+// set out from there before it has rested anew.
+TEST(UnicyclePilot, RestsAnewWhereItWasCarried) {
+  const Setting setting = cart();
+  Plant<Twist> plant(setting.limits, {1, 1});
+  Pilot<Twist> pilot(setting);
+  const auto rest = [&] {
+    for (int i = 0; i < 20; ++i) plant.apply(pilot.halt(plant.observe()), setting.period_us);
+    EXPECT_TRUE(pilot.latched());
+    return Vec2{pilot.halting()->place.x, pilot.halting()->place.y};
+  };
+  pilot.engage(plant.observe());
+  const Vec2 before = rest();
+  (void)pilot.brake_blind(plant.observe());
+  EXPECT_FALSE(pilot.latched());
+  EXPECT_EQ(norm(rest() - before), 0);
+
+  plant.p = {2, 1};
+  Path way;
+  ASSERT_TRUE(way.points.push({3, 1}));
+  EXPECT_EQ(driven(pilot, plant, way).speed_mps, 0);
+  EXPECT_FALSE(pilot.latched());
+  EXPECT_LT(norm(rest() - plant.p), setting.limits.position_error_m);
+}
+
 // A robot that has stopped is measured where it was before: that is not where it holds.
 TEST(PointPilot, HoldsWhereItIsMeasuredAtRest) {
   Pilot<Acceleration> pilot(drone());

@@ -32,7 +32,7 @@ class System {
   // fails a fence; and the distance at which robots pass.
   static constexpr double return_clearance_m = 0.313;
   static constexpr double cruise_clearance_m = 0.293;
-  static constexpr double pass_gap_m = 0.627;
+  static constexpr double pass_gap_m = 0.647;
 
   static const char* robot_name(int robot) {
     static const char* const names[] = {"r1", "r2"};
@@ -60,7 +60,7 @@ class System {
   // its own, makes one of these and no System.
   struct Robot {
     explicit Robot(int self)
-        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.309, 0.313, 0.627)), turn_back(setting(0.15, free_zone(), 0.309, 0.313, 0.627)), go_charge(setting(0.2, free_zone(), 0.354, 0.313, 0.627), dock(self)) {}
+        : plan_executor(self), motion_planner(self), give_way(setting(0.15, free_zone(), 0.309, 0.313, 0.647)), turn_back(setting(0.15, free_zone(), 0.309, 0.313, 0.647)), go_charge(setting(0.2, free_zone(), 0.354, 0.313, 0.647), dock(self)) {}
     PlanExecutor plan_executor;
     MotionPlanner motion_planner;
     rtac::safe::Yield<rtac::Twist> give_way;
