@@ -193,7 +193,9 @@ std::optional<Grid> grid_of(const std::vector<Segment>& all, const Cells& cells)
   }
   grid.x = double(cells.x_mm) / 1000, grid.y = double(cells.y_mm) / 1000;
   grid.cell = double(cells.cell_mm) / 1000;
-  if (std::abs(grid.x - left) > snap_m || std::abs(grid.y - low) > snap_m) return std::nullopt;
+  // it begins where the zone does, of which robots know corners in whole millimetres as they are
+  const double off = std::ranges::all_of(all, &Segment::on_grid) ? same_m : snap_m;
+  if (std::abs(grid.x - left) > off || std::abs(grid.y - low) > off) return std::nullopt;
   // 40,000 of them at most, each 10 cm wide or a larger multiple of 1 cm
   const auto count = [&](double cell) {
     return std::ceil((right - left) / cell) * std::ceil((top - low) / cell);

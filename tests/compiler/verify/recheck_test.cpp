@@ -126,7 +126,7 @@ TEST_F(Recheck, AMutatedBoundIsNoticed) {
                   {"ways", "route_mm", -60},
                   {"ways", "cell_mm", -10},
                   {"ways", "cell_mm", 10},
-                  {"ways", "cells_x_mm", 5},
+                  {"ways", "cells_x_mm", -1},
                   {"ways", "cells_y_mm", -100}};
   for (const auto& m : mistakes) {
     const Outcome o = rechecked_with(changed(m.claim, m.key, m.by));
