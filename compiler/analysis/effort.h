@@ -11,8 +11,8 @@ namespace rtac::analysis {
 // In steps of about a microsecond: what is looked at of each cell that a recovery drives over; and,
 // where zones are evaluated anew, of each edge from each cell.
 std::int64_t effort_of(const ir::Module& module, bool same_zones);
-// Besides, of the pairs of cells that are looked at where robots make room, once it is asked what is
-// shown.
+// Besides, of the pairs of cells that are looked at where robots make room, once it is asked what
+// is shown.
 std::int64_t effort_of_pairs(const ir::Module& module);
 
 }  // namespace rtac::analysis
