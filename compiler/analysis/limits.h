@@ -54,6 +54,8 @@ std::int64_t pass_gap_mm(const ir::Decision& decision, std::int64_t lookahead_us
 // How far from the place that it holds a robot at rest may be measured. Wheels hold where they have
 // been measured, and are measured anew.
 std::int64_t off_hold_mm(const ir::Body& body);
+// How far from where it truly was then the place is that a robot holds from when it came to rest.
+std::int64_t latched_off_mm(const ir::Body& body, std::int64_t period_us);
 // From how far between the places that they hold on robots that have to keep `apart_mm` are given
 // back, wherever each of them is measured about its own.
 std::int64_t given_back_mm(const ir::Decision& decision, std::int64_t lookahead_us,

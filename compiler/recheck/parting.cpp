@@ -528,10 +528,17 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   const geometry::Region* const region = claims.zones().region(*zone);
   if (region == nullptr || region->empty()) return Doubt{false, "the zone is not known"};
   const double error = n.position_error.get_d(), far = milli(*gap).get_d();
-  const double off = sways ? n.sway.get_d() : error + base_moves.get_d();
-  const double body = std::max(0.0, n.radius.get_d() - off);
+  // a point mass holds where the rest of its speed ends, as it was measured then; and may have
+  // moved on when the other one does so, too
+  const Rational reacts = n.velocity_age + n.period + n.latency;
+  const Rational eta = n.velocity_error + (n.brake + n.disturbance) * reacts;
+  const Rational rests = eta * n.brake / (n.brake - n.disturbance);
+  const Rational latched = n.position_error + (sways ? Rational(rests * reacts / 2) : base_moves);
+  const Rational off = sways ? std::min(n.sway, latched) : latched, moved = sways ? n.sway : off;
+  const double body = std::max(0.0, Rational(n.radius - off).get_d());
   // in space one may hold straight over the other one
-  const double nearest = kind.in_space ? 0 : 2 * body;
+  const double nearest =
+      kind.in_space ? 0 : std::max(0.0, Rational(2 * n.radius - off - moved).get_d());
   const auto found = without_parting(*region, {*cell, *x, *y},
                                      {milli(*route).get_d(), body, nearest, milli(*apart).get_d(),
                                       far + 3 * error + ends_within(kind, d)});

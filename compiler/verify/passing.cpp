@@ -56,16 +56,17 @@ geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   };
   const ir::Recovery& yield = ir::last_step(m.recovery);
   const std::int64_t error_mm = d.body.position_error_mm;
-  // how far from where it truly is the place is that it holds; in space one may hold straight over
-  // the other one
   const ir::Body& body = d.body;
   const std::int64_t back_mm = analysis::given_back_mm(
       d, ahead_us_of(m), analysis::sure_separation_mm(m.property, d.facts.params));
-  const std::int64_t off_mm = analysis::off_hold_mm(body) - (body.sway_mm > 0 ? 0 : error_mm);
+  // the one latches later than the other, which may have moved until then
+  const std::int64_t latched_mm = analysis::latched_off_mm(body, d.period_us);
+  const std::int64_t moved_mm = body.sway_mm > 0 ? body.sway_mm : latched_mm;
   const std::int64_t reach_mm = analysis::end_reach_mm(s.kind, d.period_us);
   return {.clearance_mm = mm(yield.route_clearance_mm),
-          .body_mm = mm(body.radius_mm - off_mm),
-          .nearest_mm = body.in_space ? 0 : mm(2 * (body.radius_mm - off_mm)),
+          .body_mm = mm(body.radius_mm - latched_mm),
+          // in space one may hold straight over the other one
+          .nearest_mm = body.in_space ? 0 : mm(2 * body.radius_mm - latched_mm - moved_mm),
           .apart_mm = mm(back_mm),
           .goal_mm = mm(yield.pass_gap_mm + 3 * error_mm + reach_mm + 1),
           .stands_mm = mm(body.radius_mm + error_mm),
