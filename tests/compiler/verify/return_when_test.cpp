@@ -218,7 +218,8 @@ TEST_F(ReturnWhen, NobodyElseIsEverThere) {
 
 // They may say so for ever: the recovery waits, and takes charge meanwhile.
 TEST_F(ReturnWhen, InputsLetGoAndTakeTheirTime) {
-  const Outcome o = verified(returning("go"), {"-o", "certificates"});
+  // runs of an hour each, of which it takes some: as long as a slow machine needs for them
+  const Outcome o = verified(returning("go"), {"-o", "certificates", "--attack", "90"});
   EXPECT_EQ(o.status, exit_violation) << o.out;
   EXPECT_EQ(status("P2b", "fence"), "proved");
   EXPECT_EQ(status("C", "charge"), "refuted");
