@@ -230,17 +230,25 @@ const Adversary* find_adversary(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+namespace {
+
+// Some property speaks of what it aims at; else the robot would stand.
+bool finds_its_aim(const DecisionCase& decision, const Adversary& a) {
+  const auto speaks_of = [&](PropertyOp one, PropertyOp other) {
+    return has(decision, one) || has(decision, other);
+  };
+  if (a.aim == Aim::fence) return speaks_of(PropertyOp::inside, PropertyOp::clearance);
+  if (a.aim == Aim::charge) return speaks_of(PropertyOp::battery, PropertyOp::energy_to);
+  if (a.aim == Aim::robot) return speaks_of(PropertyOp::distance, PropertyOp::agent_distance);
+  return true;
+}
+
+}  // namespace
+
 std::vector<const Adversary*> applicable(const DecisionCase& decision, const Scenario& scenario) {
   std::vector<const Adversary*> fit;
-  const bool fence = has(decision, PropertyOp::inside) || has(decision, PropertyOp::clearance);
-  const bool charge = has(decision, PropertyOp::battery) || has(decision, PropertyOp::energy_to);
-  const bool others =
-      has(decision, PropertyOp::distance) || has(decision, PropertyOp::agent_distance);
   for (const Adversary& a : adversaries()) {
-    if (a.by_name_only) continue;
-    if (a.aim == Aim::fence && !fence) continue;
-    if (a.aim == Aim::robot && !others) continue;
-    if (a.aim == Aim::charge && !charge) continue;
+    if (a.by_name_only || !finds_its_aim(decision, a)) continue;
     // nothing stops a robot that coasts and does not see it: no look-ahead covers that
     const bool stops_blind = decision.twist || scenario.fault_us_max;
     if (a.fault_every_us > 0 && !stops_blind) continue;
@@ -351,6 +359,33 @@ Problem check_about(const Scenario& scenario, const Case& all) {
 
 }  // namespace
 
+namespace {
+
+Problem check_aims(const Scenario& scenario, const Case& all) {
+  const auto aimless = [&](const std::string& name, const std::string& robot) {
+    return std::none_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {
+      const bool of_it =
+          robot.empty() || std::find(d.robots.begin(), d.robots.end(), robot) != d.robots.end();
+      return of_it && finds_its_aim(d, *find_adversary(name));
+    });
+  };
+  auto named = scenario.adversary_of;
+  if (!scenario.adversary.empty()) named.emplace_back("", scenario.adversary);
+  for (const auto& [robot, name] : named) {
+    if (!aimless(name, robot)) continue;
+    std::vector<std::string> fit;
+    for (const Adversary& a : adversaries()) {
+      if (!aimless(a.name, robot)) fit.emplace_back(a.name);
+    }
+    return {"`" + name + "` has nothing to aim at: no property " +
+                (robot.empty() ? "" : "of `" + robot + "` ") + "speaks of that",
+            "there are " + listed(fit)};
+  }
+  return {};
+}
+
+}  // namespace
+
 Problem check_names(const Scenario& scenario, const Case& all) {
   std::vector<std::string> names;
   if (!scenario.adversary.empty()) names.push_back(scenario.adversary);
@@ -377,6 +412,7 @@ Problem check_names(const Scenario& scenario, const Case& all) {
     return {"the scenario names a robot `" + robot + "`, which does not exist",
             "there are " + listed(others)};
   }
+  if (Problem problem = check_aims(scenario, all)) return problem;
   return check_starts(scenario, all);
 }
 

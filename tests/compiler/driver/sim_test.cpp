@@ -81,6 +81,21 @@ TEST_F(Simulations, ASoundSpecificationSurvivesEveryAdversary) {
   EXPECT_FALSE(fs::exists("yard_patrol.trace"));
 }
 
+// A robot that has nothing to attack would stand, which looks like a specification that survives.
+TEST_F(Simulations, AnAdversaryWithNothingToAimAtIsRefused) {
+  write("spec.rta", yard("50 ms"));
+  for (const std::string name : {"chase-robot", "drain"}) {
+    const Outcome o = rtac({"sim", "spec.rta", "--runs", "2", "--adversary", name});
+    EXPECT_EQ(o.status, exit_usage) << o.out << o.err;
+    EXPECT_NE(o.err.find("`" + name + "` has nothing to aim at"), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("`bang-bang`, `chase-fence`"), std::string::npos) << o.err;
+  }
+  write("drain.json", R"({"runs": 2, "adversary": {"r1": "drain"}})");
+  const Outcome one = rtac({"sim", "spec.rta", "--scenario", "drain.json"});
+  EXPECT_EQ(one.status, exit_usage) << one.out << one.err;
+  EXPECT_NE(one.err.find("no property of `r1` speaks of that"), std::string::npos) << one.err;
+}
+
 TEST_F(Simulations, AnUnsoundOneIsViolatedWithARunThatIsPlayedAgain) {
   write("spec.rta", yard(blind));
   const Outcome o = rtac({"sim", "spec.rta", "--runs", "3", "--adversary", "chase-fence"});
