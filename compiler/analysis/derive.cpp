@@ -82,8 +82,8 @@ class Deriver {
 
   std::optional<Derived> run(Finding finding) {
     out_.module.name = spec_.name;
-    // who only checks or builds is not kept waiting
-    if (finding == Finding::refuses) trials_.go_by_reports_alone();
+    // who only checks, builds or plays a run again is not kept waiting
+    if (finding != Finding::is_told) trials_.go_by_reports_alone();
     check_magnitudes(spec_, trials(), diagnostics_);
     const std::vector<ZoneUse> wanted = wanted_zones(spec_);
     if (!evaluated_) {

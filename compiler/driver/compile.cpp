@@ -135,8 +135,9 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   }
   // What is refused because it cannot work is told in full there, and played again.
   const bool played = options.command == Command::sim && !options.recorded.empty();
-  const auto finding = options.command == Command::verify || played ? analysis::Finding::is_told
-                                                                    : analysis::Finding::refuses;
+  const auto finding = options.command == Command::verify ? analysis::Finding::is_told
+                       : played                           ? analysis::Finding::is_played
+                                                          : analysis::Finding::refuses;
   auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding, judge);
   if (!derived) return;
   const int errors = finding == analysis::Finding::refuses ? 0 : errors_in_building(c.diagnostics);
