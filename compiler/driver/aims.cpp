@@ -87,7 +87,7 @@ Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
   there["about"] = o.monitor;
   // of errors that last only some have them wait
   there["runs"] = errors_last ? 24 : 4;
-  there["adversary"] = errors_last ? "lasting-errors" : "chase-fence";
+  there["adversary"] = errors_last ? "lasting-errors" : "bang-bang";
   if (!errors_last) there["noise"] = "none";
   there["return_within_s"] = kept_s;
   there["duration_s"] = kept_s + 1;

@@ -246,7 +246,10 @@ class Search {
         const int c = column(one) + to.step.columns, r = row(one) + to.step.rows;
         if (c < 0 || c >= cells_.columns || r >= cells_.rows) continue;
         const int other = r * cells_.columns + c;
-        if (has_no_goal(other) && holds_somebody(other)) return std::pair{one, other};
+        // not all that may be near enough have places that are
+        if (has_no_goal(other) && holds_somebody(other) && !they_part(one, other)) {
+          return std::pair{one, other};
+        }
       }
     }
     return std::nullopt;

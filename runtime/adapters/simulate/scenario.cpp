@@ -372,7 +372,8 @@ Problem check_aims(const Scenario& scenario, const Case& all) {
   auto named = scenario.adversary_of;
   if (!scenario.adversary.empty()) named.emplace_back("", scenario.adversary);
   for (const auto& [robot, name] : named) {
-    if (!aimless(name, robot)) continue;
+    // what takes no turn measures, whatever there is
+    if (find_adversary(name)->by_name_only || !aimless(name, robot)) continue;
     std::vector<std::string> fit;
     for (const Adversary& a : adversaries()) {
       if (!aimless(a.name, robot)) fit.emplace_back(a.name);
