@@ -361,8 +361,7 @@ std::int64_t off_hold_mm(const ir::Body& b) {
 // A point mass latches where the rest of the speed ends that it is measured to have, at most the
 // one at which its hold takes over, and half of what it reacts in (halt of its pilot).
 std::int64_t latched_off_mm(const ir::Body& b, std::int64_t period_us) {
-  constexpr std::int64_t base_mm = hold_slack_mm;
-  if (b.sway_mm == 0) return b.position_error_mm + base_mm;
+  if (b.sway_mm == 0) return b.position_error_mm + hold_slack_mm;
   const std::int64_t rests_mmps = div_up(b.brake_late_ms * b.brake_mmps2, 1000);
   const std::int64_t reacts_us = b.velocity_age_us + period_us + b.latency_us;
   return std::min(b.sway_mm, b.position_error_mm + div_up(rests_mmps * reacts_us, 2 * 1'000'000));

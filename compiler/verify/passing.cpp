@@ -48,7 +48,7 @@ std::int64_t kept_mm(const ir::Decision& d, const ir::Monitor& m) {
 }
 
 // Between the places that robots hold, and with the room for errors that the runtime leaves
-// (Aside): who is given back need not part, nor who is as far off as others make way to.
+// (Aside): who is given back need not part.
 geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   const ir::Decision& d = s.decision;
   const auto mm = [](std::int64_t length_mm) {

@@ -357,10 +357,6 @@ Problem check_about(const Scenario& scenario, const Case& all) {
   return {};
 }
 
-}  // namespace
-
-namespace {
-
 Problem check_aims(const Scenario& scenario, const Case& all) {
   const auto aimless = [&](const std::string& name, const std::string& robot) {
     return std::none_of(all.decisions.begin(), all.decisions.end(), [&](const DecisionCase& d) {

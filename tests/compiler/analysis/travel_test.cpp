@@ -131,6 +131,7 @@ TEST(Pace, IsTheSameOnBothSides) {
   EXPECT_EQ(pace::aim_ahead_turns_permille, std::lround(1e3 * theirs::aim_ahead_turns));
   EXPECT_EQ(pace::aim_ahead_delays, theirs::aim_ahead_delays);
   EXPECT_EQ(pace::rest_samples, theirs::rest_samples);
+  EXPECT_EQ(pace::still_mmps, std::lround(1e3 * theirs::still_mps));
   EXPECT_EQ(pace::look_every_ms, theirs::look_every_us / 1000);
   EXPECT_EQ(pace::waypoints, static_cast<int>(max_waypoints));
 }
