@@ -624,8 +624,9 @@ class Deriver {
 }  // namespace
 
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
-                              diag::Engine& diagnostics, Finding finding, const Judge& judge) {
-  return Deriver(spec, sources, diagnostics, judge).run(finding);
+                              diag::Engine& diagnostics, Finding finding, const Judge& judge,
+                              bool offers) {
+  return Deriver(spec, sources, diagnostics, judge, offers).run(finding);
 }
 
 }  // namespace rtac::analysis

@@ -29,10 +29,11 @@ using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived deri
 // `spec` is left as it is; in between, numbers and orders that reports offer are tried in it.
 // nullopt when an error was reported, unless it is about arbitration (6005); otherwise not of one
 // that says that it is not well formed either. With a `judge` no order is offered with which less
-// is shown, and with `is_told` no number either.
+// is shown, and with `is_told` no number either. Without `offers` reports say what is wrong, and
+// not with which numbers it would work, which takes longer to find out than all the rest.
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses,
-                              const Judge& judge = {});
+                              const Judge& judge = {}, bool offers = true);
 
 // What `rtac check` tells about one monitor, in mm and us.
 struct MonitorSummary {

@@ -245,6 +245,12 @@ class Recoveries {
     const std::string least = "a latency of at most " + millis(ahead_us);
     const auto others = covered ? std::vector<std::string>{}
                                 : repairs(decided_, trials_, fault_of(d.code, d.range), returns);
+    // that there is no place to return to has been told, with what works
+    const auto told = [&](const diag::Diagnostic& each) {
+      return each.code == Code::return_set_empty && each.range &&
+             each.range->file == d.range->file && each.range->begin == d.range->begin;
+    };
+    if (!others.empty() && std::ranges::any_of(diagnostics_.all(), told)) return;
     d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
              : others.empty() ? "no number alone works: a wider zone and " + least + " are needed"
                               : joined(others) + " works";
@@ -362,7 +368,7 @@ class Recoveries {
                                 const ir::Cells& cells) {
       return leads(ways_over(edges, cells, module_, decision_, last));
     };
-    d.help = grown(last, d, over_cells, leads_back).value_or("widen it");
+    d.help = grown(last, d, part.clearance_mm, over_cells, leads_back).value_or("widen it");
     d.help += ", or join it to a wider part, or take it out of the zone";
     // a site is reached wherever control returns
     if (!is_route) d.help += nearer(last.return_clearance_mm - part.clearance_mm, d);
@@ -407,14 +413,17 @@ class Recoveries {
     }
     return most;
   }
-  // With how much more on every side it works, looked for from where `fits` holds.
+  // With how much more on every side it works, looked for from where `fits` holds, which is about
+  // where a place of so little clearance has what control returns at.
   std::optional<std::string> grown(const ir::Recovery& last, const diag::Diagnostic& of,
-                                   const FitsZone& fits, const FitsZone& whole = {}) const {
+                                   std::int64_t clearance_mm, const FitsZone& fits,
+                                   const FitsZone& whole = {}) const {
     if (trials_ == nullptr) return std::nullopt;  // nobody reads it
     const ir::ZoneTable& zone = module_[last.zone];
     const geometry::Region& exact = exact_(last.zone);
     const std::int64_t most_mm = 2 * last.return_clearance_mm + 4 * zone.cells.cell_mm;
-    const auto by_mm = widening_mm(exact, most_mm, fits, whole);
+    const std::int64_t guess_mm = last.return_clearance_mm - clearance_mm;
+    const auto by_mm = widening_mm(exact, guess_mm, most_mm, fits, whole);
     if (!by_mm) return std::nullopt;
     return growth_that_works(*trials_, last.zone, exact, *by_mm, most_mm,
                              fault_of(of.code, of.range));
@@ -439,7 +448,7 @@ class Recoveries {
     d.help =
         "it is about " + metres(2 * parts.front().clearance_mm) + " wide there, as cells of " +
         metres(zone.cells.cell_mm) + " tell; " +
-        grown(last, d, wide)
+        grown(last, d, parts.front().clearance_mm, wide)
             .value_or("control returns " + metres(last.return_clearance_mm) + " from the boundary");
     diagnostics_.report(std::move(d));
   }

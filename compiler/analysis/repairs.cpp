@@ -63,7 +63,7 @@ std::vector<Number> numbers() {
       {"an `error` of the heading", "rad", 1000, 1, 1, false, sensed(&Kind::heading, false)},
       {"a `brake`", "m/s^2", 1000, 1, 1, true, motion(&sema::Motion::brake)},
       {"an `accel`", "m/s^2", 1000, 1, 1, false, motion(&sema::Motion::accel)},
-      {"a `speed`", "m/s", 1000, 1, 1, false, motion(&sema::Motion::speed)},
+      {"a `speed` of the robot", "m/s", 1000, 1, 1, false, motion(&sema::Motion::speed)},
       {"a `turn`", "rad/s", 1000, 1, 1, false,
        [](Kind& k, sema::Decision&) { return in(k.motion.turn); }},
       {"a `turn`", "rad/s", 1000, 1, 1, true,

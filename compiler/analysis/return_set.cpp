@@ -5,6 +5,7 @@
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/reach.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/timing.h"
@@ -172,6 +173,7 @@ class ReturnSet {
                   : "a smaller clearance is needed, and none works alone: a wider zone, too";
       } else if (m.lookahead.duration_us == now_.lookahead_us) {
         all.push_back(finding(m, need_mm(now_, standoff)));
+        all.back().notes.push_back(taken(standoff));
         all.back().help =
             "no look-ahead works here" + wider(fault_of(all.back().code, all.back().range), fits);
       }
@@ -200,8 +202,9 @@ class ReturnSet {
     };
     const ir::ZoneIndex place = *place_of(module_, decision_, *retreat_);
     const bool over_cells = returns_over_cells(decision_, ir::last_step(retreat_->recovery));
-    const auto by_mm = over_cells ? widening_mm(exact_(place), wider_most_mm / 2, fits)
-                                  : std::optional(missing_mm(*retreat_) + recheck_misses_mm);
+    const std::int64_t guess_mm = missing_mm(*retreat_) + recheck_misses_mm;
+    const auto by_mm = over_cells ? widening_mm(exact_(place), guess_mm, wider_most_mm / 2, fits)
+                                  : std::optional(guess_mm);
     if (!by_mm || *by_mm > wider_most_mm / 2) {
       return distance_that_works(*of_.trials, place, need_mm, fault).value_or("");
     }
@@ -262,6 +265,23 @@ class ReturnSet {
                               (cells ? ", and no whole cell of " + metres(zone.cells.cell_mm) +
                                            " has more than " + metres(room_mm(retreat))
                                      : "")};
+  }
+
+  // By what, where the look-ahead is not to blame.
+  diag::Note taken(std::int64_t standoff_mm) const {
+    const ir::Body& body = now_.decision.body;
+    // where it is, and where it is seen to be back
+    const std::int64_t errors_mm = 2 * body.position_error_mm;
+    const std::int64_t t_us =
+        horizon_us_max(body, now_.lookahead_us) + now_.decision.return_extra_us;
+    const std::int64_t way_mm = need_mm(now_, 0) - body.radius_mm - errors_mm;
+    std::string text = "of the " + metres(need_mm(now_, standoff_mm)) + ", " +
+                       metres(body.radius_mm) + " are for the body, ";
+    if (errors_mm > 0) text += metres(errors_mm) + " for twice the error of the position, ";
+    if (standoff_mm > 0) text += metres(standoff_mm) + " for what the property asks for, ";
+    return {std::nullopt, text + "and " + metres(way_mm) + " for what the robot may do within " +
+                              millis(t_us) +
+                              ", ages of samples and latency included, and until it stands"};
   }
 
   // Of the comparison that asks for so much.

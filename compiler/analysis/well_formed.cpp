@@ -379,7 +379,8 @@ class WellFormed {
       const auto cell = cell_at(cells, from.x_mm, from.y_mm);
       return cell && cells.clearance_mm_lo[*cell] >= clearance_mm;
     };
-    const auto guess_mm = widening_mm(exact_.flat(way.zone), 2 * clearance_mm, fits);
+    const auto guess_mm =
+        widening_mm(exact_.flat(way.zone), clearance_mm - clear_mm, 2 * clearance_mm, fits);
     const auto grown = guess_mm ? growth_that_works(*of.trials, way.zone, exact_.flat(way.zone),
                                                     *guess_mm, 2 * clearance_mm, fault)
                                 : distance_that_works(*of.trials, way.zone, clearance_mm, fault);

@@ -52,8 +52,9 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
 
 }  // namespace
 
-std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const FitsZone& fits, const FitsZone& whole) {
+std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t guess_mm,
+                                        std::int64_t most_mm, const FitsZone& fits,
+                                        const FitsZone& whole) {
   if (zone.vertices() > vertices_most) return std::nullopt;
   const auto holds = [&](const FitsZone& what, std::int64_t by_mm) {
     const auto wider = grown(zone, by_mm);
@@ -63,12 +64,22 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
                 {c.origin.x_mm, c.origin.y_mm, c.cell_mm, c.columns, c.rows, c.clearance_mm_lo});
   };
   const auto works = [&](std::int64_t by_mm) { return holds(fits, by_mm); };
-  std::int64_t low = 0, high = 1;
-  while (high < most_mm && !works(high)) {
-    low = high;
-    high = std::min(2 * high, most_mm);
+  // from the guess, by steps that double: the least is near to it, and each trial bakes the zone
+  std::int64_t high = std::clamp<std::int64_t>(guess_mm, 1, most_mm), low = high, step = 1;
+  if (works(high)) {
+    while (low == high) {
+      low = std::max<std::int64_t>(high - step, 0);
+      if (low > 0 && works(low)) high = low;
+      step *= 2;
+    }
+  } else {
+    do {
+      if (high == most_mm) return std::nullopt;
+      low = high;
+      high = std::min(high + step, most_mm);
+      step *= 2;
+    } while (!works(high));
   }
-  if (high >= most_mm && !works(high)) return std::nullopt;
   while (high - low > 1) {
     const std::int64_t middle = low + (high - low) / 2;
     (works(middle) ? high : low) = middle;
@@ -112,7 +123,7 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (by_mm && !closes_a_gap(exact, *by_mm)) {
-    return "`grow(" + name + ", " + metres(*by_mm) + ")` in its place works";
+    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "` works";
   }
   return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);
 }

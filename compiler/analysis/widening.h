@@ -19,12 +19,14 @@ using FitsZone =
     std::function<bool(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells)>;
 
 // The least growth on every side, in mm, with which `fits` holds of the zone, and of
-// no growth that is 1 mm less, if then `whole`, which is asked once, holds, too; at most `most_mm`.
-// None: it does not help, or the zone is so large that to try takes long.
-std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t most_mm,
-                                        const FitsZone& fits, const FitsZone& whole = {});
+// no growth that is 1 mm less, if then `whole`, which is asked once, holds, too; at most `most_mm`,
+// and looked for from `guess_mm` on. None: it does not help, or the zone is so large that to try
+// takes long.
+std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t guess_mm,
+                                        std::int64_t most_mm, const FitsZone& fits,
+                                        const FitsZone& whole = {});
 
-// "`grow(yard, 0.2 m)` in its place works": the least growth of a zone with which the whole
+// "`grow(yard, 0.2 m)` in place of `yard` works": the least growth of a zone with which the whole
 // specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
 // `least_mm`, which is no more than the guess; or a distance in it (distance_that_works). none: as
 // of other numbers (Trials::nearest), or what the zone leaves out would be grown over.

@@ -138,7 +138,8 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   const auto finding = options.command == Command::verify ? analysis::Finding::is_told
                        : played                           ? analysis::Finding::is_played
                                                           : analysis::Finding::refuses;
-  auto derived = analysis::derive(*c.spec, c.sources, c.diagnostics, finding, judge);
+  auto derived =
+      analysis::derive(*c.spec, c.sources, c.diagnostics, finding, judge, options.offers);
   if (!derived) return;
   const int errors = finding == analysis::Finding::refuses ? 0 : errors_in_building(c.diagnostics);
   c.module = std::move(derived->module);

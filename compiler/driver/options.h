@@ -46,7 +46,8 @@ struct Options {
   bool dump_ast = false, dump_spec = false, dump_ir = false;
   std::string print_after;  // name of a pass
   bool werror = false;
-  bool only_check = false;                       // of `fmt`
+  bool only_check = false;  // of `fmt`
+  bool offers = true;       // false: reports need not say with which numbers it would work
   EngineKind engine = EngineKind::kernel;        // of `replay`
   std::string monitor;                           // of `replay`; empty: all
   std::optional<std::uint64_t> state_bytes_max;  // memory that the monitors may take

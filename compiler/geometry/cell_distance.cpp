@@ -10,6 +10,8 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 struct Corner {
   std::int64_t x, y;
 };
@@ -100,6 +102,17 @@ std::array<double, 4> squared_from(const Place& b, const std::array<Corner, 4>& 
   return d;
 }
 
+// May stop at a corner that is no nearer than `bound_squared`.
+double farthest_squared(const std::array<Corner, 4>& ends, const PreparedEdge& e,
+                        double bound_squared) {
+  double most = 0;
+  for (const Corner& corner : ends) {
+    most = std::max(most, approximate_squared(e, corner));
+    if (most >= bound_squared) break;
+  }
+  return most;
+}
+
 // All corners lie on one side of the edge's line; `or_touch` counts corners on the line as well.
 bool separated_by_line(const Square& square, const PreparedEdge& edge, bool or_touch) {
   bool left = true;
@@ -174,7 +187,7 @@ bool meets_interior(const Square& s, const PreparedEdge& e) {
          !separated_by_line(s, e, true);
 }
 
-double nearest(const Square& square, const PreparedEdge& edge) {
+double nearest_squared(const Square& square, const PreparedEdge& edge) {
   if (meets_closed(square, edge)) return 0;
   const Corner to_a = offset_from(square, edge.ax, edge.ay);
   const Corner to_b = offset_from(square, edge.bx, edge.by);
@@ -182,15 +195,15 @@ double nearest(const Square& square, const PreparedEdge& edge) {
   for (const Corner& corner : corners(square)) {
     if (end_of(edge, corner) == 0) least = std::min(least, squared_from_line(edge, corner));
   }
-  return std::sqrt(least);
+  return least;
+}
+
+double nearest(const Square& square, const PreparedEdge& edge) {
+  return std::sqrt(nearest_squared(square, edge));
 }
 
 double farthest(const Square& square, const PreparedEdge& edge) {
-  double most = 0;
-  for (const Corner& corner : corners(square)) {
-    most = std::max(most, approximate_squared(edge, corner));
-  }
-  return std::sqrt(most);
+  return std::sqrt(farthest_squared(corners(square), edge, infinite));
 }
 
 std::int64_t nearest_floor(const Square& square, const PreparedEdge& edge) {
@@ -219,21 +232,24 @@ Candidates narrow(const Square& square, const std::vector<PreparedEdge>& edges,
   // Why nothing is lost for any smaller square inside this one: an edge that is nearest to one of
   // its points p is at most as far from p as the edge with the least `farthest`, so its `nearest`
   // is at most that; the same holds for the edge with the least `farthest` of the smaller square.
-  Candidates result;
-  result.least_nearest = result.least_farthest = std::numeric_limits<double>::infinity();
-  std::vector<double> distance;
-  distance.reserve(candidates.size());
+  const std::array<Corner, 4> ends = corners(square);
+  std::vector<double> squares;  // of the distances, until it is known which ones matter
+  squares.reserve(candidates.size());
+  double least_squared = infinite;  // of the farthest
   for (const std::uint32_t index : candidates) {
-    distance.push_back(nearest(square, edges[index]));
-    if (distance.back() > result.least_farthest) continue;
-    result.least_farthest = std::min(result.least_farthest, farthest(square, edges[index]));
+    squares.push_back(nearest_squared(square, edges[index]));
+    if (squares.back() > least_squared) continue;
+    least_squared = std::min(least_squared, farthest_squared(ends, edges[index], least_squared));
   }
+  Candidates result;
+  result.least_nearest = infinite;
+  result.least_farthest = std::sqrt(least_squared);
   const double limit = result.least_farthest * (1 + 1e-9) + 1e-3;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (distance[i] > limit) continue;
+    if (squares[i] > limit * limit) continue;
     result.edges.push_back(candidates[i]);
-    result.nearest.push_back(distance[i]);
-    result.least_nearest = std::min(result.least_nearest, distance[i]);
+    result.nearest.push_back(std::sqrt(squares[i]));
+    result.least_nearest = std::min(result.least_nearest, result.nearest.back());
   }
   return result;
 }

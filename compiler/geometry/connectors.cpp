@@ -100,7 +100,8 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   looked_at_ = static_cast<std::int64_t>(near_.size());
   std::erase_if(near_, [&](std::uint32_t i) {
-    return distance(start_of(edges_[i]), end_of(edges_[i]), middle) > limit;
+    const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
+    return apart_by_axis(a, b, middle, middle, limit + slack_mm) || distance(a, b, middle) > limit;
   });
   return spot_at(middle.x, middle.y, size_mm);
 }
@@ -176,13 +177,14 @@ bool Connectors::holds_nobody(const Spot& spot) const {
   return spot.gap_mm > spot.radius_mm() + slack_mm && !contains(spot.x_mm, spot.y_mm);
 }
 
-// Even-odd rule; the boundary is farther away than any error.
+// Even-odd rule, of the edges above, which all reach into the strip; the boundary is farther away
+// than any error.
 bool Connectors::contains(double x, double y) const {
   bool inside = false;
-  for (const EdgeRow& edge : edges_) {
-    const Vec a = start_of(edge), b = end_of(edge);
-    if ((a.y > y) == (b.y > y)) continue;
-    if (x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  for (const std::uint32_t i : strips_[strip_of(x)]) {
+    const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
+    if ((a.x > x) == (b.x > x)) continue;
+    if (y < a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y)) inside = !inside;
   }
   return inside;
 }

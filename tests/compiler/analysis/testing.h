@@ -16,13 +16,14 @@ using driver::test::drone_spec;
 using driver::test::edited;
 using driver::test::spec_text;
 
-// Compiles a text; a folder of the test holds it.
-inline std::unique_ptr<driver::Compilation> compiled(const std::string& text) {
+// Compiles a text; a folder of the test holds it. Without `offers` where only errors are asked for.
+inline std::unique_ptr<driver::Compilation> compiled(const std::string& text, bool offers = true) {
   const auto path = driver::test::fs::temp_directory_path() /
                     ("rtac_analysis_" + std::to_string(getpid()) + ".rta");
   driver::test::write(path, text);
   driver::Options options;
   options.spec = path.string();
+  options.offers = offers;
   std::ostringstream out;
   auto c = std::make_unique<driver::Compilation>();
   driver::compile(options, out, *c);

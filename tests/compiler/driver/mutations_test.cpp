@@ -7,6 +7,7 @@
 #include "compiler/codegen/generate.h"
 #include "compiler/driver/compile.h"
 #include "tests/compiler/driver/testing.h"
+#include "tests/turn.h"
 
 namespace rtac::driver::test {
 namespace {
@@ -134,10 +135,12 @@ TEST_P(Mutations, EveryDamagedTextIsAcceptedOrRefusedWithAPlace) {
   const std::string name = GetParam();
   const std::string original = name.empty() ? drone_spec() : spec_text(name);
   Mutator mutator(original, 20240607);
-  int accepted = 0;
+  int tried = 0, accepted = 0;
   const int count = count_of(400);
   for (int i = 0; i < count; ++i) {
     const std::string text = i == 0 ? original : mutator.next();
+    if (i > 0 && !rtac::test::is_due(static_cast<std::size_t>(i))) continue;
+    ++tried;
     write("case/spec.rta", text);
     Options options;
     options.command = Command::check;
@@ -155,8 +158,8 @@ TEST_P(Mutations, EveryDamagedTextIsAcceptedOrRefusedWithAPlace) {
         codegen::generate(std::move(*c.module), *c.spec, {"spec", "spec.rta", ""}).empty());
   }
   // a session in which nothing or everything is accepted would test one half only
-  EXPECT_GT(accepted, count / 50);
-  EXPECT_LT(accepted, count);
+  EXPECT_GT(accepted, tried / 50);
+  EXPECT_LT(accepted, tried);
 }
 
 INSTANTIATE_TEST_SUITE_P(Specs, Mutations,
