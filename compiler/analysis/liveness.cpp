@@ -238,7 +238,11 @@ class WithLegs {
     }
     join(std::move(rest_mm));
     if (ways_.longest_mm) count(in_sight_.longest_deeper_mm(over_.lost, over_.endless));
-    ways_.stranded = parts_of(Grid(cells_, recovery_.route_clearance_mm), cells_, ways_.lost);
+    const Grid grid(cells_, recovery_.route_clearance_mm);
+    ways_.stranded = parts_of(grid, cells_, ways_.lost);
+    std::vector<bool> shut = ways_.lost;
+    for (std::size_t at = 0; at < shut.size(); ++at) shut[at] = shut[at] && !unseen_[at];
+    ways_.shut = parts_of(grid, cells_, shut);
     return std::move(ways_);
   }
   // A leg is counted with that to the cells of a way, which is left out.
@@ -268,6 +272,7 @@ class WithLegs {
     for (std::size_t at = 0; at < found.apart.size(); ++at) {
       if (found.apart[at] && !leads_straight(at)) ways_.lost[at] = true;
     }
+    unseen_ = found.unseen;
   }
 
   const std::vector<geometry::EdgeRow>& edges_;
@@ -277,6 +282,7 @@ class WithLegs {
   const OverCells& over_;
   InSight in_sight_;
   Ways ways_;
+  std::vector<bool> unseen_;  // by cell
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Ways {
   std::vector<std::int64_t> rest_mm;  // by cell, from its middle on
   std::vector<bool> lost;             // by cell: from some place of it no way is known
   std::vector<Stranded> stranded;     // the parts that these make up, the largest first
+  std::vector<Stranded> shut;         // and without the cells that to look at would take too long
 };
 // The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
 // `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.

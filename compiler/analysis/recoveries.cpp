@@ -338,11 +338,11 @@ class Recoveries {
     if (diagnostics_.has_errors()) return;                      // numbers that do not work out yet
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     const Ways ways = ways_of(module_, decision_, last);
+    // of what is only tried, all has to be looked at
+    const auto& parts = trials_ != nullptr ? ways.shut : ways.stranded;
     // a few cells that no way leads from may be all that is seen of a passage that is too narrow
-    if (ways.stranded.empty() || ways.stranded.front().cells < stranded_cells_least) {
-      return too_narrow(last);
-    }
-    const Stranded& part = ways.stranded.front();
+    if (parts.empty() || parts.front().cells < stranded_cells_least) return too_narrow(last);
+    const Stranded& part = parts.front();
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t cell_mm = zone.cells.cell_mm;
     diag::Diagnostic d =
@@ -355,9 +355,8 @@ class Recoveries {
          "the clearance there is " + metres(part.clearance_mm) + ", control returns at " +
              metres(last.return_clearance_mm) + "; the part has about " +
              square_metres(Rational(part.cells * cell_mm * cell_mm, 1'000'000)) +
-             (ways.stranded.size() > 1
-                  ? ", and there are " + std::to_string(ways.stranded.size() - 1) + " more"
-                  : "")});
+             (parts.size() > 1 ? ", and there are " + std::to_string(parts.size() - 1) + " more"
+                               : "")});
     const auto leads = [](const Ways& of_it) {
       return of_it.stranded.empty() || of_it.stranded.front().cells < stranded_cells_least;
     };

@@ -51,12 +51,14 @@ class Joining {
   Joins run() {
     Joins found;
     found.apart.resize(cells_.clearance_mm_lo.size(), false);
+    found.unseen.resize(cells_.clearance_mm_lo.size(), false);
     double longest = 0;
     for (std::int32_t row = 0; row < cells_.rows; ++row) {
       for (std::int32_t column = 0; column < cells_.columns; ++column) {
         if (clearance_at(column, row) >= enough_mm()) continue;  // it is one itself, or needs none
         const double way = longest_from(column, row);
         found.apart[index(column, row)] = way < 0;
+        found.unseen[index(column, row)] = way < 0 && looks_ > looks_end_;
         longest = std::max(longest, way);
       }
     }
@@ -91,9 +93,9 @@ class Joining {
     const Connectors::Spot whole = around_.look_around(west, south, size, 0);
     looks_ += around_.looked_at();
     if (around_.holds_nobody(whole)) return 0;
-    if (looks_ > looks_max) return -1;
-    without_.reset();
     looks_end_ = std::min(looks_max, looks_ + of_cell_max);
+    if (looks_ > looks_end_) return -1;
+    without_.reset();
     for (const std::size_t enough : {nearest_ones, some, std::size_t{tests_max}}) {
       const std::vector<Start> starts = starts_of(column, row, enough);
       double reach = 0;

@@ -541,5 +541,31 @@ TEST(Ways, WhatDoesNotClimbHasAWayAndNoBound) {
   EXPECT_EQ(ways.longest_mm, std::nullopt);
 }
 
+// Of a large zone with round corners not all legs are looked at: nothing is said of those. What is
+// seen to be shut off is told.
+TEST(Recoveries, FromWhereNobodyHasLookedNothingIsSaidToLeadNowhere) {
+  const auto in = [](const std::string& zone, const std::string& brake) {
+    return compiled(
+        "spec plain;\nzone hall = rectangle (0 m, 0 m) to (8 m, 8 m);\nzone z = " + zone +
+        ";\nrobot Bot {\n  body radius 15 cm;\n"
+        "  motion point { speed <= 1 m/s; accel <= 1.5 m/s^2; brake >= " +
+        brake +
+        " m/s^2; }\n"
+        "  sense position : point error 2 cm max_age 50 ms;\n"
+        "  sense velocity : vector error 2 cm/s max_age 50 ms;\n"
+        "  output thrust : acceleration;\n  latency 30 ms;\n}\nfleet b : Bot;\n"
+        "controller ac : advanced for Bot extern;\n"
+        "controller rec : safe for Bot = retreat within z speed 0.3 m/s;\n"
+        "monitor fence for r : Bot { \"R-1: inside\" always r inside z; ahead 50 ms; recover rec; "
+        "}\n"
+        "decision go for Bot { advanced ac; period 50 ms; priority fence; }\n");
+  };
+  const auto wide = in("grow(hall, 89.528 m)", "0.001");
+  EXPECT_TRUE(wide->module) << reports(*wide);
+  EXPECT_FALSE(has(*wide, diag::Code::no_way_back)) << reports(*wide);
+  const auto shut = in("hall | rectangle (20 m, 0 m) to (21 m, 1 m)", "1");
+  EXPECT_TRUE(has(*shut, diag::Code::no_way_back)) << reports(*shut);
+}
+
 }  // namespace
 }  // namespace rtac::analysis
