@@ -238,11 +238,7 @@ class WithLegs {
     }
     join(std::move(rest_mm));
     if (ways_.longest_mm) count(in_sight_.longest_deeper_mm(over_.lost, over_.endless));
-    const Grid grid(cells_, recovery_.route_clearance_mm);
-    ways_.stranded = parts_of(grid, cells_, ways_.lost);
-    std::vector<bool> shut = ways_.lost;
-    for (std::size_t at = 0; at < shut.size(); ++at) shut[at] = shut[at] && !unseen_[at];
-    ways_.shut = parts_of(grid, cells_, shut);
+    ways_.stranded = parts_of(Grid(cells_, recovery_.route_clearance_mm), cells_, ways_.lost);
     return std::move(ways_);
   }
   // A leg is counted with that to the cells of a way, which is left out.
@@ -260,7 +256,7 @@ class WithLegs {
   }
   void join(std::vector<std::int64_t> rest_mm) {
     const auto mm = [](std::int64_t length) { return static_cast<std::int32_t>(length); };
-    const geometry::Joins found =
+    geometry::Joins found =
         geometry::joins(edges_, grid_of(cells_),
                         {.route_mm = mm(recovery_.route_clearance_mm),
                          .body_mm = mm(decision_.body.radius_mm),
@@ -272,7 +268,7 @@ class WithLegs {
     for (std::size_t at = 0; at < found.apart.size(); ++at) {
       if (found.apart[at] && !leads_straight(at)) ways_.lost[at] = true;
     }
-    unseen_ = found.unseen;
+    ways_.unseen = std::move(found.unseen);
   }
 
   const std::vector<geometry::EdgeRow>& edges_;
@@ -282,7 +278,6 @@ class WithLegs {
   const OverCells& over_;
   InSight in_sight_;
   Ways ways_;
-  std::vector<bool> unseen_;  // by cell
 };
 
 }  // namespace
@@ -383,6 +378,13 @@ std::vector<Stranded> passages(const ir::Cells& cells, std::int64_t body_mm, std
   }
   std::reverse(all.begin(), all.end());
   return all;
+}
+
+std::vector<Stranded> shut_off(const ir::Cells& cells, const ir::Recovery& recovery,
+                               const Ways& ways) {
+  std::vector<bool> shut = ways.lost;
+  for (std::size_t at = 0; at < ways.unseen.size(); ++at) shut[at] = shut[at] && !ways.unseen[at];
+  return parts_of(Grid(cells, recovery.route_clearance_mm), cells, shut);
 }
 
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery) {

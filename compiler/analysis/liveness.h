@@ -24,8 +24,8 @@ struct Ways {
   std::optional<std::int64_t> longest_mm = 0;
   std::vector<std::int64_t> rest_mm;  // by cell, from its middle on
   std::vector<bool> lost;             // by cell: from some place of it no way is known
-  std::vector<Stranded> stranded;     // the parts that these make up, the largest first
-  std::vector<Stranded> shut;         // and without the cells that to look at would take too long
+  std::vector<bool> unseen;           // by cell: to look for one would take too long; may be empty
+  std::vector<Stranded> stranded;     // the parts that lost cells make up, the largest first
 };
 // The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
 // `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.
@@ -54,6 +54,10 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
 Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery);
+
+// The parts of those `lost` cells that have been looked at: no way leads from there.
+std::vector<Stranded> shut_off(const ir::Cells& cells, const ir::Recovery& recovery,
+                               const Ways& ways);
 
 // The longest leg of a retreat of the plane that takes one straight leg from everywhere, and no way
 // over cells. none: it may take a way.

@@ -245,10 +245,11 @@ class Recoveries {
     const std::string least = "a latency of at most " + millis(ahead_us);
     const auto others = covered ? std::vector<std::string>{}
                                 : repairs(decided_, trials_, fault_of(d.code, d.range), returns);
-    // that there is no place to return to has been told, with what works
+    // that there is no place to return to has been told
     const auto told = [&](const diag::Diagnostic& each) {
-      return each.code == Code::return_set_empty && each.range &&
-             each.range->file == d.range->file && each.range->begin == d.range->begin;
+      const SourceRange& at = monitor_.lookahead_source;
+      return each.code == Code::return_set_empty && each.range && each.range->file == at.file &&
+             each.range->begin == at.begin;
     };
     if (!others.empty() && std::ranges::any_of(diagnostics_.all(), told)) return;
     d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
@@ -339,7 +340,8 @@ class Recoveries {
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     const Ways ways = ways_of(module_, decision_, last);
     // of what is only tried, all has to be looked at
-    const auto& parts = trials_ != nullptr ? ways.shut : ways.stranded;
+    const std::vector<Stranded> parts =
+        trials_ != nullptr ? shut_off(module_[last.zone].cells, last, ways) : ways.stranded;
     // a few cells that no way leads from may be all that is seen of a passage that is too narrow
     if (parts.empty() || parts.front().cells < stranded_cells_least) return too_narrow(last);
     const Stranded& part = parts.front();

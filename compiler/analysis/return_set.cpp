@@ -267,7 +267,7 @@ class ReturnSet {
                                      : "")};
   }
 
-  // By what, where the look-ahead is not to blame.
+  // What takes the room, where no look-ahead is short enough.
   diag::Note taken(std::int64_t standoff_mm) const {
     const ir::Body& body = now_.decision.body;
     // where it is, and where it is seen to be back

@@ -187,6 +187,8 @@ bool meets_interior(const Square& s, const PreparedEdge& e) {
          !separated_by_line(s, e, true);
 }
 
+namespace {
+
 double nearest_squared(const Square& square, const PreparedEdge& edge) {
   if (meets_closed(square, edge)) return 0;
   const Corner to_a = offset_from(square, edge.ax, edge.ay);
@@ -197,6 +199,8 @@ double nearest_squared(const Square& square, const PreparedEdge& edge) {
   }
   return least;
 }
+
+}  // namespace
 
 double nearest(const Square& square, const PreparedEdge& edge) {
   return std::sqrt(nearest_squared(square, edge));

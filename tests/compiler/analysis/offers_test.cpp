@@ -58,7 +58,7 @@ std::string help_of(const std::string& text) {
   return found == nullptr ? "" : found->help;
 }
 bool faulty(const std::string& text) {
-  return compiled(text, false)->diagnostics.has_errors();
+  return without_offers(text)->diagnostics.has_errors();
 }
 bool offers(const std::string& help, const std::string& what) {
   return help.find(what) != std::string::npos;

@@ -15,7 +15,7 @@ TEST(Repairs, TheLeastLookaheadOf5001Works) {
   ASSERT_TRUE(has(*c, Code::lookahead_too_short)) << reports(*c);
   const std::string least = number_in_help(*c, Code::lookahead_too_short, "`", "ms`");
   EXPECT_EQ(least, "50");
-  EXPECT_TRUE(compiled(edited(faulty, "49 ms", least + " ms"), false)->module);
+  EXPECT_TRUE(without_offers(edited(faulty, "49 ms", least + " ms"))->module);
 }
 
 // Of what pushes a robot the largest that its hold stands is offered, however much is declared.
@@ -32,8 +32,8 @@ TEST(Repairs, TheLargestPushOf5005Works) {
       ASSERT_TRUE(has(*c, Code::limit_contradictory)) << reports(*c);
       const std::string most = number_in_help(*c, Code::limit_contradictory, "at most ", "m/s^2");
       EXPECT_EQ(most, "0.433") << by;  // more, and its recovery would be too slow
-      EXPECT_TRUE(compiled(pushed(most, output), false)->module);
-      EXPECT_FALSE(compiled(pushed("0.434", output), false)->module);
+      EXPECT_TRUE(without_offers(pushed(most, output))->module);
+      EXPECT_FALSE(without_offers(pushed("0.434", output))->module);
     }
   }
 }
@@ -47,7 +47,7 @@ TEST(Repairs, AnExternalRecoveryNeedsTwoPeriods) {
   const auto c = compiled(external);
   ASSERT_TRUE(has(*c, Code::lookahead_too_short)) << reports(*c);
   EXPECT_EQ(number_in_help(*c, Code::lookahead_too_short, "`", "ms`"), "100");
-  EXPECT_TRUE(compiled(edited(external, "99 ms", "100 ms"), false)->module);
+  EXPECT_TRUE(without_offers(edited(external, "99 ms", "100 ms"))->module);
 }
 
 TEST(Repairs, TheLargestLookaheadOf5007WorksAndOneMillisecondMoreDoesNot) {
@@ -109,7 +109,7 @@ TEST(Repairs, TheLargestDisturbanceOf5005WorksAndMoreDoesNot) {
   EXPECT_EQ(number_in_help(*c, Code::limit_contradictory, "at most ", "m/s^2"), "0.75");
   const auto most = compiled(pushed("0.75"));
   EXPECT_TRUE(most->module) << reports(*most);
-  EXPECT_TRUE(has(*compiled(pushed("0.751"), false), Code::limit_contradictory));
+  EXPECT_TRUE(has(*without_offers(pushed("0.751")), Code::limit_contradictory));
   const auto errs = compiled(pushed("0.5", " error 0.3 m/s^2"));
   ASSERT_TRUE(has(*errs, Code::limit_contradictory)) << reports(*errs);
   EXPECT_EQ(number_in_help(*errs, Code::limit_contradictory, "at most ", "m/s^2"), "0.25");
@@ -173,7 +173,7 @@ TEST(Repairs, TheDriveOf5012WorksAndFivePercentMoreDoesNot) {
   EXPECT_TRUE(good->module) << reports(*good);
   const std::string more = std::to_string(1.05 * std::stod(most));
   EXPECT_TRUE(
-      has(*compiled(edited(thirsty, "15 %/m", more + " %/m"), false), Code::site_unreachable));
+      has(*without_offers(edited(thirsty, "15 %/m", more + " %/m")), Code::site_unreachable));
 }
 
 // Where the time alone takes too much, less at rest is needed.
@@ -188,7 +188,7 @@ TEST(Repairs, TheIdleOf5012WorksAndFivePercentMoreDoesNot) {
   EXPECT_TRUE(good->module) << reports(*good);
   const std::string more = std::to_string(1.05 * std::stod(most));
   EXPECT_TRUE(
-      has(*compiled(edited(waste, "0.9 %/s", more + " %/s"), false), Code::site_unreachable));
+      has(*without_offers(edited(waste, "0.9 %/s", more + " %/s")), Code::site_unreachable));
 }
 
 // Where no charge is ever seen to be enough, it has to be measured better, and by how much is told.
@@ -223,15 +223,14 @@ decision d for R { advanced a; period 50 ms; priority m; }
   const auto by_error = compiled(seen("error 60 % max_age 2 s"));
   const std::string error =
       number_in_help(*by_error, Code::return_set_empty, "of the battery of at most ", "%");
-  EXPECT_TRUE(compiled(seen("error " + error + " % max_age 2 s"), false)->module)
+  EXPECT_TRUE(without_offers(seen("error " + error + " % max_age 2 s"))->module)
       << reports(*by_error);
-  EXPECT_FALSE(compiled(seen("error 20 % max_age 2 s"), false)->module) << error;
+  EXPECT_FALSE(without_offers(seen("error 20 % max_age 2 s"))->module) << error;
   const auto by_age = compiled(seen("error 1 % max_age 1 h"));
   const std::string age =
       number_in_help(*by_age, Code::return_set_empty, "of the battery of at most ", "ms");
-  EXPECT_TRUE(compiled(seen("error 1 % max_age " + age + " ms"), false)->module)
-      << reports(*by_age);
-  EXPECT_FALSE(compiled(seen("error 1 % max_age 191 s"), false)->module) << age;
+  EXPECT_TRUE(without_offers(seen("error 1 % max_age " + age + " ms"))->module) << reports(*by_age);
+  EXPECT_FALSE(without_offers(seen("error 1 % max_age 191 s"))->module) << age;
 }
 
 // Errors and late samples let a robot rest beside its dock: it is told which of them is too much.
@@ -268,8 +267,8 @@ decision d for R { advanced a; period 50 ms; priority m; }
   EXPECT_NE(reports(*c).find("from it, and is charged within 0.15 m"), std::string::npos);
   const std::string most =
       number_in_help(*c, Code::site_not_returnable, "of the position of at most ", "ms");
-  EXPECT_TRUE(compiled(late(most), false)->module) << most << reports(*c);
-  EXPECT_FALSE(compiled(late(std::to_string(std::stoi(most) + 1)), false)->module) << most;
+  EXPECT_TRUE(without_offers(late(most))->module) << most << reports(*c);
+  EXPECT_FALSE(without_offers(late(std::to_string(std::stoi(most) + 1)))->module) << most;
 }
 
 // Wheels that turn slowly need room, which their own limits may be the cause of.
@@ -298,11 +297,11 @@ decision d for R { advanced a; period 50 ms; priority m; }
     return number_in_help(*compiled(text), Code::return_set_empty, what + "` of at least ", "rad");
   };
   const std::string accel = at_least(wheels("2", "0.001"), "turn_accel");
-  EXPECT_TRUE(compiled(wheels("2", accel), false)->module) << accel;
+  EXPECT_TRUE(without_offers(wheels("2", accel))->module) << accel;
   EXPECT_FALSE(
-      compiled(wheels("2", std::to_string(0.95 * std::stod(accel) - 0.001)), false)->module);
+      without_offers(wheels("2", std::to_string(0.95 * std::stod(accel) - 0.001)))->module);
   const std::string turn = at_least(wheels("0.001", "10"), "`turn");
-  EXPECT_TRUE(compiled(wheels(turn, "10"), false)->module) << turn;
+  EXPECT_TRUE(without_offers(wheels(turn, "10"))->module) << turn;
 }
 
 // Neither is a full battery enough nor the way affordable: one number mends both, and is told
@@ -337,7 +336,7 @@ TEST(Repairs, TheShrinkingOf4007Works) {
   const double most = std::stod(number_in_help(*c, Code::empty_zone, "less than ", "m"));
   EXPECT_NEAR(most, 2, 0.002);
   const std::string by = std::to_string(std::lround(1000 * most) - 3) + " mm";
-  EXPECT_FALSE(compiled(edited(gone, "2500 mm", by), false)->diagnostics.has_errors());
+  EXPECT_FALSE(without_offers(edited(gone, "2500 mm", by))->diagnostics.has_errors());
 }
 
 TEST(Repairs, BothNeighboursOf7003AreOnTheGrid) {
@@ -346,7 +345,7 @@ TEST(Repairs, BothNeighboursOf7003AreOnTheGrid) {
   ASSERT_TRUE(has(*c, Code::constant_off_grid)) << reports(*c);
   for (const char* works : {"0.01 m", "0.011 m"}) {
     EXPECT_NE(reports(*c).find(std::string("`") + works + "`"), std::string::npos);
-    EXPECT_TRUE(compiled(edited(off, "10.05 mm", works), false)->module);
+    EXPECT_TRUE(without_offers(edited(off, "10.05 mm", works))->module);
   }
 }
 
@@ -396,10 +395,9 @@ TEST(Repairs, TheAgeOfASampleIsNamedThatWorks) {
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
   const std::string most =
       number_in_help(*c, Code::return_set_empty, "`max_age` of the position of at most ", "ms");
-  EXPECT_FALSE(has(*compiled(edited(old, "60 s", most + " ms"), false), Code::return_set_empty));
-  EXPECT_TRUE(
-      has(*compiled(edited(old, "60 s", std::to_string(std::stol(most) + 1) + " ms"), false),
-          Code::return_set_empty));
+  EXPECT_FALSE(has(*without_offers(edited(old, "60 s", most + " ms")), Code::return_set_empty));
+  EXPECT_TRUE(has(*without_offers(edited(old, "60 s", std::to_string(std::stol(most) + 1) + " ms")),
+                  Code::return_set_empty));
 }
 
 // No recovery of this robot is fast enough to make way: not its speed is wrong.
@@ -531,9 +529,9 @@ TEST(Repairs, TheTrackingOf5007Works) {
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
   const std::string most = number_in_help(*c, Code::return_set_empty, "`tracking <= ", "m` works");
   EXPECT_TRUE(
-      compiled(edited(wide, "tracking <= 10 m", "tracking <= " + most + " m"), false)->module);
+      without_offers(edited(wide, "tracking <= 10 m", "tracking <= " + most + " m"))->module);
   const std::string more = std::to_string(std::stod(most) + 0.001);
-  EXPECT_TRUE(has(*compiled(edited(wide, "tracking <= 10 m", "tracking <= " + more + " m"), false),
+  EXPECT_TRUE(has(*without_offers(edited(wide, "tracking <= 10 m", "tracking <= " + more + " m")),
                   Code::return_set_empty));
 }
 
@@ -549,9 +547,8 @@ TEST(Repairs, TheWideningOf4012Works) {
   ASSERT_TRUE(has(*c, Code::cells_too_coarse)) << reports(*c);
   const std::string by = number_in_help(*c, Code::cells_too_coarse, "widen its passages by ", "m");
   const long mm = 800 + std::lround(1000 * std::stod(by));
-  EXPECT_FALSE(
-      has(*compiled(edited(mine(std::to_string(mm), "20 m"), ">= 10 cm", ">= 0 cm"), false),
-          Code::cells_too_coarse));
+  EXPECT_FALSE(has(*without_offers(edited(mine(std::to_string(mm), "20 m"), ">= 10 cm", ">= 0 cm")),
+                   Code::cells_too_coarse));
 }
 
 // Limits of sizes: the one that is offered works, a little more does not.
@@ -624,7 +621,7 @@ TEST(Repairs, AZoneThatHasNotWorkedIsNotSaidToWork) {
             std::string::npos)
       << reports(*c);
   EXPECT_FALSE(
-      compiled(edited(faulty, "kept = yard", "kept = yard - grow(pond, 1 m)"), false)->module);
+      without_offers(edited(faulty, "kept = yard", "kept = yard - grow(pond, 1 m)"))->module);
 }
 
 // A distance within a zone that has no name is the number of a place in common.
@@ -656,9 +653,9 @@ TEST(Repairs, ADistanceInAZoneWithoutANameOf5007Works) {
   ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
   const std::string most =
       number_in_help(*c, Code::return_set_empty, "`shrink(yard, ", "m)` in place of");
-  EXPECT_FALSE(has(*compiled(lane_and_shrunk_yard(most), false), Code::return_set_empty)) << most;
+  EXPECT_FALSE(has(*without_offers(lane_and_shrunk_yard(most)), Code::return_set_empty)) << most;
   const std::string beyond = std::to_string(1.05 * std::stod(most));
-  EXPECT_TRUE(has(*compiled(lane_and_shrunk_yard(beyond), false), Code::return_set_empty)) << most;
+  EXPECT_TRUE(has(*without_offers(lane_and_shrunk_yard(beyond)), Code::return_set_empty)) << most;
 }
 
 }  // namespace

@@ -109,10 +109,9 @@ TEST(ReturnSet, AStandoffThatNoLookaheadMakesUpForIsNamedWithTheLargestThatWorks
     const std::string most =
         number_in_help(*compiled(text_of(faulty)), Code::return_set_empty, "at most ", "m works");
     expect_works({.far_clearance = most + " m", .far_zone = zone});
-    EXPECT_TRUE(
-        has(*compiled(text_of({.far_clearance = thousandth_more(most) + " m", .far_zone = zone}),
-                      false),
-            Code::return_set_empty));
+    EXPECT_TRUE(has(
+        *without_offers(text_of({.far_clearance = thousandth_more(most) + " m", .far_zone = zone})),
+        Code::return_set_empty));
   }
 }
 
@@ -129,7 +128,7 @@ TEST(ReturnSet, ZonesWithoutAPlaceInCommonAreNamed) {
   EXPECT_NE(reports(*c).find("`far` can never hand control back together with `near`"),
             std::string::npos)
       << reports(*c);
-  EXPECT_TRUE(has(*compiled(beside("4.9"), false), Code::return_set_empty));
+  EXPECT_TRUE(has(*without_offers(beside("4.9")), Code::return_set_empty));
   expect_no_error(beside("3"));
   // a number that works: so much more of the hall
   const auto narrow = compiled(beside("4.5"));
@@ -150,7 +149,7 @@ TEST(ReturnSet, AConditionAboutAnotherZoneThanTheRetreatsIsNamedWithTheLargestTh
                                           "clearance of ", "m works");
   EXPECT_GT(std::stod(most), 17);
   expect_works(asks(most));
-  EXPECT_TRUE(has(*compiled(text_of(asks(thousandth_more(most))), false), Code::return_set_empty));
+  EXPECT_TRUE(has(*without_offers(text_of(asks(thousandth_more(most)))), Code::return_set_empty));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using driver::test::drone_spec;
 using driver::test::edited;
 using driver::test::spec_text;
 
-// Compiles a text; a folder of the test holds it. Without `offers` where only errors are asked for.
+// Compiles a text; a folder of the test holds it.
 inline std::unique_ptr<driver::Compilation> compiled(const std::string& text, bool offers = true) {
   const auto path = driver::test::fs::temp_directory_path() /
                     ("rtac_analysis_" + std::to_string(getpid()) + ".rta");
@@ -30,6 +30,11 @@ inline std::unique_ptr<driver::Compilation> compiled(const std::string& text, bo
   driver::test::fs::remove(path);
   EXPECT_EQ(c->internal_error, "");
   return c;
+}
+
+// Where errors are asked for, and not the numbers with which it would work.
+inline std::unique_ptr<driver::Compilation> without_offers(const std::string& text) {
+  return compiled(text, false);
 }
 
 inline std::string reports(const driver::Compilation& c) {

@@ -77,9 +77,9 @@ TEST(Zones, TwoZonesWrittenOnOneLineHaveTablesOfTheirOwn) {
 }
 
 TEST(Zones, BeyondTheGridIsNotTheSameAsTooThin) {
-  EXPECT_TRUE(has(*compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (600 km, 5 m)"), false),
+  EXPECT_TRUE(has(*without_offers(edited(drone_spec(), "to (5 m, 5 m)", "to (600 km, 5 m)")),
                   diag::Code::zone_too_large));
-  EXPECT_TRUE(has(*compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (5 m, 0.5 mm)"), false),
+  EXPECT_TRUE(has(*without_offers(edited(drone_spec(), "to (5 m, 5 m)", "to (5 m, 0.5 mm)")),
                   diag::Code::zone_vanishes_on_grid));
   const auto widest = compiled(edited(drone_spec(), "to (5 m, 5 m)", "to (536.8 km, 536.8 km)"));
   EXPECT_TRUE(widest->module) << reports(*widest);
