@@ -30,8 +30,8 @@ using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived deri
 // nullopt when an error was reported, unless it is about arbitration (6005); otherwise not of one
 // that says that it is not well formed either. With a `judge` no order is offered with which less
 // is shown, and with `is_told` no number either. Without `offers` reports say what is wrong, and
-// not with which numbers it would work, which takes longer to find out than all the rest; and, as of
-// what is only tried, 5020 also of places from where nobody has looked for a way.
+// not with which numbers it would work, which takes longer to find out than all the rest; and, as
+// of what is only tried, 5020 also of places from where nobody has looked for a way.
 std::optional<Derived> derive(sema::Spec& spec, const SourceManager& sources,
                               diag::Engine& diagnostics, Finding finding = Finding::refuses,
                               const Judge& judge = {}, bool offers = true);
