@@ -1,7 +1,10 @@
 #include "compiler/analysis/arbitration.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
+#include <tuple>
 
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
@@ -32,15 +35,39 @@ std::string about_metres(const Rational& m) {
 constexpr std::int64_t unbounded_mm = 1 << 30;
 
 // What a recovery may do to the property of another monitor of its decision.
+// When recoveries end, each found once: of those that several monitors share, too.
+class Endings {
+ public:
+  Endings(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision)
+      : kind_(kind), module_(module), decision_(decision) {}
+
+  const std::optional<Ending>& of(const ir::Recovery& recovery) {
+    const ir::Recovery& last = ir::last_step(recovery);
+    const Key key{recovery.name, last.return_clearance_mm, last.route_clearance_mm};
+    const auto found = found_.find(key);
+    if (found != found_.end()) return found->second;
+    return found_.emplace(key, ending_of(kind_, module_, decision_, recovery)).first->second;
+  }
+
+ private:
+  using Key = std::tuple<std::string, std::int64_t, std::int64_t>;
+  const sema::RobotKind& kind_;
+  const ir::Module& module_;
+  const ir::Decision& decision_;
+  std::map<Key, std::optional<Ending>> found_;
+};
+
 class Pair {
  public:
   Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,
-       const ExactZone& exact, const ExactSolid& solid, std::size_t driving, std::size_t judged)
+       const ExactZone& exact, const ExactSolid& solid, Endings& endings, std::size_t driving,
+       std::size_t judged)
       : kind_(kind),
         module_(module),
         decision_(decision),
         exact_(exact),
         solid_(solid),
+        endings_(endings),
         drives_(driving),
         driving_(decision.monitors[driving]),
         recovery_(driving_.recovery),
@@ -389,7 +416,7 @@ class Pair {
   bool keeps_charge() {
     if (!kind_.energy) return true;
     const ir::Recovery& last = ir::last_step(recovery_);
-    const auto end = ending_of(kind_, module_, decision_, recovery_);
+    const std::optional<Ending>& end = endings_.of(recovery_);
     if (!end) {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
@@ -477,6 +504,7 @@ class Pair {
   const ir::Decision& decision_;
   const ExactZone& exact_;
   const ExactSolid& solid_;
+  Endings& endings_;
   const std::size_t drives_;
   const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
@@ -516,11 +544,12 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
   const std::size_t count = decision.monitors.size();
   Arbitration all(count, std::vector<Entry>(count));
   std::vector<std::vector<bool>> unkept(count, std::vector<bool>(count, false));
+  Endings endings(kind, module, decision);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
       // its own property: check_recoveries
       if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) continue;
-      auto broken = Pair(kind, module, decision, exact, solid, i, j).broken();
+      auto broken = Pair(kind, module, decision, exact, solid, endings, i, j).broken();
       if (!broken) continue;
       unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;

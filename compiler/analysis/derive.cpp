@@ -22,6 +22,7 @@
 #include "compiler/analysis/windows.h"
 #include "compiler/analysis/zone_tables.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/geometry/looks.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/builder.h"
 #include "compiler/ir/signals.h"
@@ -69,14 +70,18 @@ class Deriver {
     diag::Engine aside;
     const bool same_zones = zones != nullptr;
     Deriver anew(spec, sources, aside, {}, false, std::move(zones));
+    const std::int64_t before = geometry::looks();
     auto derived = anew.run(Finding::is_told);
     Faults found = faults_of(aside);
-    found.effort = effort_of(derived ? derived->module : anew.out_.module, same_zones);
+    const std::int64_t plain = effort_of(derived ? derived->module : anew.out_.module, same_zones);
+    found.effort = plain + effort_of_looks(geometry::looks() - before);
     if (!judge) return found;
     found.complete = derived && worth(found);
     if (!found.complete) return found;
-    found.effort_of_shown = 2 * std::exchange(found.effort, 0) + effort_of_pairs(derived->module);
+    found.effort = 0;
+    found.effort_of_shown = 2 * plain + effort_of_pairs(derived->module);
     found.all.merge(judge(spec, std::move(*derived), aside));
+    found.effort_of_shown += effort_of_looks(geometry::looks() - before);
     return found;
   }
 

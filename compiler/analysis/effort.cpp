@@ -23,6 +23,11 @@ std::int64_t effort_of(const ir::Module& module, bool same_zones) {
   return steps;
 }
 
+std::int64_t effort_of_looks(std::int64_t looks) {
+  constexpr std::int64_t looks_in_a_step = 400;
+  return looks / looks_in_a_step;
+}
+
 std::int64_t effort_of_pairs(const ir::Module& module) {
   constexpr double pairs_in_a_step = 700;
   double pairs = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/geometry/looks.h"
+
 namespace rtac::geometry {
 namespace {
 
@@ -99,6 +101,7 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
   std::ranges::sort(near_);
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   looked_at_ = static_cast<std::int64_t>(near_.size());
+  looks() += looked_at_;
   std::erase_if(near_, [&](std::uint32_t i) {
     const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
     return apart_by_axis(a, b, middle, middle, limit + slack_mm) || distance(a, b, middle) > limit;
@@ -139,6 +142,7 @@ Connectors::Spot Connectors::spot_at(double x_mm, double y_mm, double side_mm) c
   for (const std::uint32_t i : near_) {
     gap_mm = std::min(gap_mm, distance(start_of(edges_[i]), end_of(edges_[i]), {x_mm, y_mm}));
   }
+  looks() += static_cast<std::int64_t>(near_.size());
   return {x_mm, y_mm, side_mm, gap_mm};
 }
 
@@ -196,22 +200,70 @@ bool Connectors::contains(double x, double y) const {
 // not fall at p when (c - p) . (p - q) >= 0, q being the point of the edge nearest to p. That
 // product changes by at most |p - q| + |c - p| per mm of p, because projection is a contraction.
 // So it does for other ends: by |p - q| per mm of that.
-bool Connectors::is_sound(const Spot& spot, const Landing& to, double off_mm) const {
+//
+// From a part of the square it is looked at in the same way, from its middle p', which is within
+// the radius of p. Where the leg from p comes nearer to an edge than `near`, that from p' comes
+// nearer than what is asked of it; and where (c - p) . (p - q) is less than minus what it may
+// change by, it is negative at p'. So that edge refuses the leg from every part.
+struct Connectors::Leg {
+  Vec from, to;
+  double radius, off;  // around them
+  double way;          // from one to the other
+  double near;         // no part of the spot asks for less, or is nearer to an edge
+  double far;          // none asks for more, or is farther off
+};
+
+Connectors::Leg Connectors::leg_from(const Spot& spot, const Landing& to, double off_mm) const {
   const Vec p{spot.x_mm, spot.y_mm}, c{to.x_mm, to.y_mm};
-  const double radius = spot.radius_mm();
-  const double enough = std::min(clearance_mm_, spot.gap_mm + radius);
-  const double way = length(c - p);
-  const double far = enough - forgiven_mm_ + std::max(radius, off_mm);
-  for (const std::uint32_t i : near_) {
-    const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
-    if (apart_by_axis(a, b, p, c, far)) continue;  // mostly
-    if (distance(a, b, p, c) >= far) continue;
-    const Vec q = nearest_on(a, b, p);
-    const double change =
-        radius * (length(p - q) + way + 2 * radius) + off_mm * (length(p - q) + radius);
-    if (dot(c - p, p - q) < change) return false;
+  const double radius = spot.radius_mm(), asked = clearance_mm_;
+  return {.from = p,
+          .to = c,
+          .radius = radius,
+          .off = off_mm,
+          .way = length(c - p),
+          .near = std::min(asked, spot.gap_mm - radius) - forgiven_mm_ - radius,
+          .far = std::min(asked, spot.gap_mm + radius) - forgiven_mm_ + std::max(radius, off_mm)};
+}
+
+Connectors::Sight Connectors::past(const EdgeRow& edge, const Leg& leg) const {
+  const Vec a = start_of(edge), b = end_of(edge);
+  if (apart_by_axis(a, b, leg.from, leg.to, leg.far)) return Sight::from_all;  // mostly
+  const double gap = distance(a, b, leg.from, leg.to);
+  if (gap >= leg.far) return Sight::from_all;
+  const Vec off = leg.from - nearest_on(a, b, leg.from);
+  const double change =
+      leg.radius * (length(off) + leg.way + 2 * leg.radius) + leg.off * (length(off) + leg.radius);
+  const double recedes = dot(leg.to - leg.from, off);
+  if (recedes >= change) return Sight::from_all;
+  return gap < leg.near && recedes < -change ? Sight::from_none : Sight::unknown;
+}
+
+bool Connectors::is_sound(const Spot& spot, const Landing& to, double off_mm) const {
+  const Leg leg = leg_from(spot, to, off_mm);
+  std::int64_t looked = 0;
+  const bool sound = std::ranges::all_of(near_, [&](std::uint32_t i) {
+    ++looked;
+    return past(edges_[i], leg) == Sight::from_all;
+  });
+  looks() += looked;
+  return sound;
+}
+
+Connectors::Sight Connectors::sight(const Spot& spot, const Landing& to, std::uint32_t& by) const {
+  const Leg leg = leg_from(spot, to, 0);
+  std::int64_t looked = 0;
+  Sight seen = Sight::from_all;
+  const auto look = [&](std::uint32_t i) {
+    ++looked;
+    seen = past(edges_[i], leg);
+    return seen != Sight::from_all;
+  };
+  if (by == nobody || !look(by)) {
+    const auto refused = std::ranges::find_if(near_, look);
+    if (refused != near_.end()) by = *refused;
   }
-  return true;
+  looks() += looked;
+  return seen;
 }
 
 }  // namespace rtac::geometry

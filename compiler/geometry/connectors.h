@@ -49,8 +49,17 @@ class Connectors {
   [[nodiscard]] bool holds_nobody(const Spot& spot) const;
   // The leg to there, or to anywhere within `off_mm` of that, is sound from each of its places.
   [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to, double off_mm = 0) const;
+  // From how much of a spot the leg to there is sound: from no place of it, or it is not known from
+  // all. The edge `by` refused it last, and is asked first; the one that refuses it now takes its
+  // place. From a part of a spot it is mostly the same one.
+  enum class Sight { from_all, unknown, from_none };
+  static constexpr std::uint32_t nobody = UINT32_MAX;
+  [[nodiscard]] Sight sight(const Spot& spot, const Landing& to, std::uint32_t& by) const;
 
  private:
+  struct Leg;
+  [[nodiscard]] Leg leg_from(const Spot& spot, const Landing& to, double off_mm) const;
+  [[nodiscard]] Sight past(const EdgeRow& edge, const Leg& leg) const;
   [[nodiscard]] double longest_in(const Spot& spot, int halvings,
                                   const std::vector<Landing>& landings) const;
   [[nodiscard]] std::size_t strip_of(double x_mm) const;

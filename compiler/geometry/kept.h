@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/geometry/bake.h"
+#include "compiler/geometry/looks.h"
 
 namespace rtac::geometry {
 
@@ -35,18 +36,26 @@ class Kept {
  public:
   template <class Find>
   Answer find(Question question, const Find& find) {
-    for (const auto& [asked, found] : last_) {
-      if (asked == question) return found;
+    for (const Known& known : last_) {
+      if (!(known.question == question)) continue;
+      looks() += known.looks;
+      return known.answer;
     }
+    const std::int64_t before = looks();
     Answer found = find();
-    last_.emplace_front(std::move(question), found);
+    last_.push_front({std::move(question), found, looks() - before});
     if (last_.size() > most) last_.pop_back();
     return found;
   }
 
  private:
   static constexpr std::size_t most = 12;
-  std::deque<std::pair<Question, Answer>> last_;
+  struct Known {
+    Question question;
+    Answer answer;
+    std::int64_t looks;  // that it took
+  };
+  std::deque<Known> last_;
 };
 
 }  // namespace rtac::geometry

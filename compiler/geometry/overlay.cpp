@@ -18,6 +18,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/geometry/looks.h"
 #include "compiler/geometry/ring.h"
 
 namespace rtac::geometry {
@@ -195,6 +196,7 @@ Ring to_ring(const VertexLoop& loop) {
 
 // The arrangement of the edges, with the windings of its faces.
 void arrange(const Input& input, Combine how, Arrangement& arrangement) {
+  looks() += overlaid(static_cast<std::int64_t>(input.curves.size()));
   CGAL::insert(arrangement, input.curves.begin(), input.curves.end());
   compute_windings(arrangement, input, how);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/geometry/looks.h"
+
 namespace rtac::geometry {
 namespace {
 
@@ -89,7 +91,6 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
   const auto row = static_cast<std::int32_t>(cell / columns);
   const std::vector<End> ends = ends_of(cell, false);
   if (ends.empty() || looks_ > looks_max) return std::nullopt;
-  looks_end_ = std::min(looks_max, looks_ + of_cell_max);
   const double size = cells_.cell_mm;
   // there the clearance along a leg is no less than at the end that has less, and the place that it
   // leads from has less than a goal
@@ -98,24 +99,35 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
   const double south = cells_.origin.y_mm + row * size;
   double reach = 0;
   for (const End& end : ends) reach = std::max(reach, end.off_mm);
+  const std::int64_t before = looks();
+  looks_end_ = before + of_cell_max;
   (void)legs_.look_around(west, south, size, reach);
   const Connectors::Spot whole = around_.look_around(west, south, size, 0);
-  looks_ += legs_.looked_at() + around_.looked_at();
-  return longest_in(whole, ends, most_mm, halvings_max);
+  const auto longest = longest_in(whole, ends, most_mm, halvings_max);
+  looks_ += looks() - before;
+  return longest;
+}
+
+bool StraightLegs::needs_none(const Connectors::Spot& spot) const {
+  return around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_;
 }
 
 // The nearest one in sight is taken, and none that is tried is left out for one that is farther.
-std::optional<double> StraightLegs::longest_in(const Connectors::Spot& spot,
-                                               const std::vector<End>& ends, double most_mm,
-                                               int halvings) {
-  if (around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_) return 0;
-  for (const End& end : ends) {
-    looks_ += 4;
+std::optional<double> StraightLegs::longest_in(const Connectors::Spot& spot, std::vector<End> ends,
+                                               double most_mm, int halvings) {
+  using Sight = Connectors::Sight;
+  if (needs_none(spot)) return 0;
+  std::size_t left = 0;
+  for (End& end : ends) {
     const double leg =
         std::hypot(end.at.x_mm - spot.x_mm, end.at.y_mm - spot.y_mm) + spot.radius_mm();
-    if (leg <= most_mm && legs_.is_sound(spot, end.at)) return leg;
+    const auto seen = leg <= most_mm ? legs_.sight(spot, end.at, end.refused_by) : Sight::unknown;
+    if (seen == Sight::from_all) return leg;
+    if (seen == Sight::unknown) ends[left++] = end;
   }
-  if (halvings == 0 || looks_ > looks_end_) return std::nullopt;
+  ends.resize(left);
+  if (ends.empty() && !needs_none({spot.x_mm, spot.y_mm, 0, spot.gap_mm})) return std::nullopt;
+  if (halvings == 0 || looks() > looks_end_) return std::nullopt;
   double longest = 0;
   for (const Connectors::Spot& part : around_.quarters(spot)) {
     const auto of_part = longest_in(part, ends, most_mm, halvings - 1);

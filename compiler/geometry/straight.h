@@ -29,14 +29,17 @@ class StraightLegs {
  private:
   struct End {
     Landing at;
-    double off_mm;  // from the middle of the cell
+    double off_mm;                                  // from the middle of the cell
+    std::uint32_t refused_by = Connectors::nobody;  // the last one
   };
   // Those that are tried, whichever place of the cell it is; or, `perhaps`, may be.
   [[nodiscard]] std::vector<End> ends_of(std::size_t cell, bool perhaps) const;
   // Appends those of one ring; how many of its cells are tried: at most, or, `perhaps`, at least.
   int add_ring(std::size_t cell, std::int32_t ring, bool perhaps, std::vector<End>& ends) const;
   [[nodiscard]] std::int32_t least_mm(bool perhaps) const;
-  std::optional<double> longest_in(const Connectors::Spot& spot, const std::vector<End>& ends,
+  [[nodiscard]] bool needs_none(const Connectors::Spot& spot) const;
+  // Of `ends`, which are in sight from some places of what the spot is a part of, perhaps.
+  std::optional<double> longest_in(const Connectors::Spot& spot, std::vector<End> ends,
                                    double most_mm, int halvings);
 
   const CellGrid& cells_;
@@ -46,7 +49,7 @@ class StraightLegs {
   const std::vector<bool> beside_;  // by cell: the recheck may take it for one that is tried
   Connectors legs_;                 // what they keep
   Connectors around_;               // of places
-  std::int64_t looks_ = 0, looks_end_ = 0;
+  std::int64_t looks_ = 0, looks_end_ = 0;  // so many taken, and where a cell has had its share
 };
 
 }  // namespace rtac::geometry
