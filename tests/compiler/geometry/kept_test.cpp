@@ -21,6 +21,18 @@ TEST(Kept, FindsEachAnswerOnceAmongTheLastOnes) {
   EXPECT_EQ(found, 14);
 }
 
+// So that what is tried hangs on nothing that was asked before.
+TEST(Kept, TakesAsMuchForAnAnswerThatItKnows) {
+  Kept<int, int> kept;
+  const auto taken = [&] {
+    const std::int64_t before = looks();
+    kept.find(1, [] { return looks() += 70, 2; });
+    return looks() - before;
+  };
+  EXPECT_EQ(taken(), 70);
+  EXPECT_EQ(taken(), 70);
+}
+
 // Whatever the search looks at tells questions apart.
 TEST(Kept, TellsZonesApart) {
   const std::vector<EdgeRow> edges{{{0, 0}, {1000, 0}}, {{1000, 0}, {0, 1000}}};
