@@ -102,6 +102,7 @@ Connectors::Spot Connectors::look_around(double x_mm, double y_mm, double size_m
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   looked_at_ = static_cast<std::int64_t>(near_.size());
   looks() += looked_at_;
+  refused_last_ = nobody;
   std::erase_if(near_, [&](std::uint32_t i) {
     const Vec a = start_of(edges_[i]), b = end_of(edges_[i]);
     return apart_by_axis(a, b, middle, middle, limit + slack_mm) || distance(a, b, middle) > limit;
@@ -240,17 +241,14 @@ Connectors::Sight Connectors::past(const EdgeRow& edge, const Leg& leg) const {
 
 bool Connectors::is_sound(const Spot& spot, const Landing& to, double off_mm) const {
   const Leg leg = leg_from(spot, to, off_mm);
-  std::int64_t looked = 0;
-  const bool sound = std::ranges::all_of(near_, [&](std::uint32_t i) {
-    ++looked;
-    return past(edges_[i], leg) == Sight::from_all;
-  });
-  looks() += looked;
-  return sound;
+  return asked(leg, refused_last_) == Sight::from_all;
 }
 
 Connectors::Sight Connectors::sight(const Spot& spot, const Landing& to, std::uint32_t& by) const {
-  const Leg leg = leg_from(spot, to, 0);
+  return asked(leg_from(spot, to, 0), by);
+}
+
+Connectors::Sight Connectors::asked(const Leg& leg, std::uint32_t& by) const {
   std::int64_t looked = 0;
   Sight seen = Sight::from_all;
   const auto look = [&](std::uint32_t i) {

@@ -60,6 +60,7 @@ class Connectors {
   struct Leg;
   [[nodiscard]] Leg leg_from(const Spot& spot, const Landing& to, double off_mm) const;
   [[nodiscard]] Sight past(const EdgeRow& edge, const Leg& leg) const;
+  [[nodiscard]] Sight asked(const Leg& leg, std::uint32_t& by) const;
   [[nodiscard]] double longest_in(const Spot& spot, int halvings,
                                   const std::vector<Landing>& landings) const;
   [[nodiscard]] std::size_t strip_of(double x_mm) const;
@@ -75,6 +76,7 @@ class Connectors {
   double corner_x_mm_ = 0, corner_y_mm_ = 0, size_mm_ = 0;
   double limit_mm_ = 0;  // from its middle, of what matters of them
   std::int64_t looked_at_ = 0;
+  mutable std::uint32_t refused_last_ = nobody;  // who is asked first changes no answer
 };
 
 }  // namespace rtac::geometry

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/geometry/kept.h"
 #include "compiler/geometry/moved.h"
 #include "compiler/geometry/offset.h"
 #include "compiler/geometry/overlay.h"
@@ -58,6 +59,34 @@ struct Region::Impl {
                                        : moved_at_once(parts, distance, excess, side);
   }
 };
+
+namespace {
+
+// Parts with, or without, a band along their boundary. The same zones are grown and shrunk by the
+// same distances for each monitor, and for each number that is tried.
+struct Banded {
+  std::vector<Rational> corners;  // coordinates ring by ring, after how many there are
+  Rational distance, excess;
+  BandSide side;
+  bool operator==(const Banded&) const = default;
+};
+std::vector<PolygonWithHoles> with_band(const std::vector<Ring>& rings,
+                                        const std::vector<PolygonWithHoles>& parts,
+                                        const Rational& distance, const Rational& excess,
+                                        BandSide side) {
+  Banded question{{}, distance, excess, side};
+  for (const Ring& ring : rings) {
+    question.corners.emplace_back(static_cast<unsigned long>(ring.size()));
+    for (const Point& p : ring) question.corners.insert(question.corners.end(), {p.x, p.y});
+  }
+  thread_local Kept<Banded, std::vector<PolygonWithHoles>> kept;
+  return kept.find(std::move(question), [&] {
+    return overlay_band(rings, boundary_band(parts, distance, excess, side),
+                        side == BandSide::exterior ? Combine::unite : Combine::subtract);
+  });
+}
+
+}  // namespace
 
 Region::Region() : impl_(std::make_unique<Impl>()) {}
 Region::Region(std::vector<PolygonWithHoles> parts)
@@ -148,9 +177,7 @@ Region Region::shrink(const Rational& by, std::size_t nested) const {
   if (auto moved = impl_->moved(distance, excess, BandSide::interior)) {
     return Region(std::move(*moved));
   }
-  return Region(overlay_band(impl_->rings(),
-                             boundary_band(impl_->parts, distance, excess, BandSide::interior),
-                             Combine::subtract));
+  return Region(with_band(impl_->rings(), impl_->parts, distance, excess, BandSide::interior));
 }
 
 Region Region::grow(const Rational& by, std::size_t nested) const {
@@ -160,9 +187,7 @@ Region Region::grow(const Rational& by, std::size_t nested) const {
   if (auto moved = impl_->moved(distance, excess, BandSide::exterior)) {
     return Region(std::move(*moved));
   }
-  return Region(overlay_band(impl_->rings(),
-                             boundary_band(impl_->parts, distance, excess, BandSide::exterior),
-                             Combine::unite));
+  return Region(with_band(impl_->rings(), impl_->parts, distance, excess, BandSide::exterior));
 }
 
 std::optional<Region> Region::offset(const Rational& by, std::size_t nested) const {
@@ -184,8 +209,7 @@ std::optional<Region> Region::widened(const Rational& error) const {
   const Rational excess = std::max(offset_excess_m(), distance);
   if (auto moved = impl_->moved(distance, excess, side)) return Region(std::move(*moved));
   if (vertices() > offset_vertices_max) return std::nullopt;
-  return Region(overlay_band(impl_->rings(), boundary_band(impl_->parts, distance, excess, side),
-                             error > 0 ? Combine::unite : Combine::subtract));
+  return Region(with_band(impl_->rings(), impl_->parts, distance, excess, side));
 }
 
 bool Region::empty() const {
