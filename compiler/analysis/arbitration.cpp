@@ -34,7 +34,6 @@ std::string about_metres(const Rational& m) {
 // More than any zone has.
 constexpr std::int64_t unbounded_mm = 1 << 30;
 
-// What a recovery may do to the property of another monitor of its decision.
 // When recoveries end, each found once: of those that several monitors share, too.
 class Endings {
  public:
@@ -57,6 +56,7 @@ class Endings {
   std::map<Key, std::optional<Ending>> found_;
 };
 
+// What a recovery may do to the property of another monitor of its decision.
 class Pair {
  public:
   Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,

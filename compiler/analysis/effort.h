@@ -8,11 +8,11 @@
 
 namespace rtac::analysis {
 
-// In steps of about a microsecond: what is looked at of each cell that a recovery drives over; and,
+// In steps of some 7 to 20 us: what is looked at of each cell that a recovery drives over; and,
 // where zones are evaluated anew, of each edge from each cell.
 std::int64_t effort_of(const ir::Module& module, bool same_zones);
-// Besides, of what legs were held against meanwhile (geometry/looks.h): where a zone has many
-// corners that ways lead around, more than of its cells.
+// Besides, of edges that were looked at and overlaid meanwhile (geometry/looks.h): where ways lead
+// around many corners of a zone, more than of its cells.
 std::int64_t effort_of_looks(std::int64_t looks);
 // Besides, of the pairs of cells that are looked at where robots make room, once it is asked what
 // is shown.
