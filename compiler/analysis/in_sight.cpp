@@ -99,8 +99,13 @@ InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& c
 }
 
 std::optional<std::int64_t> InSight::longest_mm(std::size_t at, std::size_t goal) {
-  const auto leg = goal < legs_.size() ? legs_[goal].longest_from(at) : std::nullopt;
-  return leg ? std::optional(whole_mm(*leg)) : std::nullopt;
+  if (goal >= legs_.size()) return std::nullopt;
+  const auto [known, is_new] = found_.try_emplace({goal, at});
+  if (!is_new) return known->second;
+  const auto leg = legs_[goal].longest_from(at);
+  if (leg) known->second = whole_mm(*leg);
+  if (goal == 0 && !leg && legs_[goal].gave_up()) given_up_.insert(at);
+  return known->second;
 }
 
 // A retreat looks for the deepest goal first, and a leg to it that is in sight and no longer than

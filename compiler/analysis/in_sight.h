@@ -4,7 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "compiler/geometry/straight.h"
@@ -46,8 +49,10 @@ class InSight {
   InSight& operator=(const InSight&) = delete;
 
   // The longest leg from anywhere in a cell to where it ends; nullopt: from some place of it none
-  // is known.
+  // is known. Asked once more it says the same.
   std::optional<std::int64_t> longest_mm(std::size_t at, std::size_t goal = 0);
+  // Whether none has been looked for from there, since others took too long.
+  [[nodiscard]] bool gave_up(std::size_t at) const { return given_up_.contains(at); }
   // The longest leg from anywhere where control is not given back yet, if one is taken from all of
   // it and no way over cells: one to the goal that is tried first, and short enough. nullopt: from
   // some place none is known.
@@ -67,6 +72,8 @@ class InSight {
   const std::int64_t route_mm_, body_mm_, return_mm_;
   std::int64_t deepest_mm_ = 0;               // of the goals
   std::vector<geometry::StraightLegs> legs_;  // by goal
+  std::map<std::pair<std::size_t, std::size_t>, std::optional<std::int64_t>> found_;  // goal, cell
+  std::set<std::size_t> given_up_;  // of the first goal
 };
 
 }  // namespace rtac::analysis

@@ -12,6 +12,7 @@
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/geometry/joining.h"
+#include "compiler/geometry/kept.h"
 #include "compiler/geometry/way_legs.h"
 
 namespace rtac::analysis {
@@ -193,6 +194,30 @@ std::vector<std::vector<bool>> site_cells(const ir::Module& module, const ir::Re
   return all;
 }
 
+// All that ways and legs of a recovery hang on.
+struct Asked {
+  Asked(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
+        const ir::Decision& decision, const ir::Recovery& recovery)
+      : drawn(edges, grid_of(cells)), numbers{static_cast<std::int64_t>(recovery.kind),
+                                              recovery.route_clearance_mm,
+                                              recovery.return_clearance_mm,
+                                              standoff_mm(decision, recovery),
+                                              decision.body.radius_mm,
+                                              decision.body.end_reach_mm,
+                                              decision.body.position_error_mm} {}
+  // Of those that are told apart.
+  void add_sites(const ir::SiteTable& site) {
+    for (std::size_t robot = 0; robot < site.places.size(); ++robot) {
+      if (site.table_of(robot) != robot) continue;
+      numbers.insert(numbers.end(), {site.places[robot].x_mm, site.places[robot].y_mm});
+    }
+  }
+  bool operator==(const Asked&) const = default;
+
+  geometry::Drawn drawn;
+  std::vector<std::int64_t> numbers;
+};
+
 // What the search finds over cells, without the legs that lead to them.
 struct OverCells {
   Ways ways;  // of the longest one without cells that are endless
@@ -265,10 +290,16 @@ class WithLegs {
                          .reach_mm = mm(joins_within_mm(cells_) - cells_.cell_mm / 5),
                          .rest_mm = std::move(rest_mm)});
     count(found.longest_mm);
-    for (std::size_t at = 0; at < found.apart.size(); ++at) {
-      if (found.apart[at] && !leads_straight(at)) ways_.lost[at] = true;
-    }
     ways_.unseen = std::move(found.unseen);
+    for (std::size_t at = 0; at < found.apart.size(); ++at) {
+      // where no way leads on over cells it does not matter what would join them
+      if (ways_.lost[at]) {
+        ways_.unseen[at] = in_sight_.gave_up(at);
+      } else if (found.apart[at] && !leads_straight(at)) {
+        ways_.lost[at] = true;
+        ways_.unseen[at] = ways_.unseen[at] || in_sight_.gave_up(at);
+      }
+    }
   }
 
   const std::vector<geometry::EdgeRow>& edges_;
@@ -439,8 +470,13 @@ OverCells over_cells(const ir::Cells& cells, const ir::Module& module, const ir:
 Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery) {
-  const OverCells over = over_cells(cells, module, decision, recovery);
-  return WithLegs(edges, cells, decision, recovery, over).run();
+  thread_local geometry::Kept<Asked, Ways> kept;
+  Asked asked(edges, cells, decision, recovery);
+  if (recovery.kind == ir::RecoveryKind::route) asked.add_sites(module[recovery.site]);
+  return kept.find(std::move(asked), [&] {
+    const OverCells over = over_cells(cells, module, decision, recovery);
+    return WithLegs(edges, cells, decision, recovery, over).run();
+  });
 }
 Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery) {
@@ -452,7 +488,9 @@ std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Deci
   if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
   const ir::ZoneTable& zone = module[last.zone];
   const std::vector<geometry::EdgeRow> edges = edges_of(zone);
-  return InSight(edges, zone.cells, decision, last).always_mm();
+  thread_local geometry::Kept<Asked, std::optional<std::int64_t>> kept;
+  return kept.find(Asked(edges, zone.cells, decision, last),
+                   [&] { return InSight(edges, zone.cells, decision, last).always_mm(); });
 }
 
 namespace {

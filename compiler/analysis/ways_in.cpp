@@ -68,10 +68,11 @@ class RuntimeWays {
     const double wanted = double(step_.return_clearance_mm) + reach + error;
     if (now >= double(step_.return_clearance_mm)) return all;
     if (const auto q = straight_in(p, wanted)) return {run_out({*q}, p)};
-    const auto cell = nearest_cell(p, &RuntimeWays::holds_body, [&](std::size_t at) {
+    const auto deep = [&](std::size_t at) {
       return double(clear_mm(at)) >= wanted && zone_.keeps(p, centre(at), now - loss_mm);
-    });
-    if (cell && norm(centre(*cell) - p) <= 2 * wanted) return {run_out({centre(*cell)}, p)};
+    };
+    const auto cell = nearest_cell(p, &RuntimeWays::holds_body, deep, 2 * wanted);
+    if (cell) return {run_out({centre(*cell)}, p)};
     const std::vector<std::size_t> starts = joined(p);
     if (deep_.empty()) {
       deep_ = ways_over([&](std::size_t at) { return double(clear_mm(at)) >= wanted; });
@@ -173,32 +174,37 @@ class RuntimeWays {
   [[nodiscard]] bool holds_body(std::size_t at) const { return clear_mm(at) >= 0; }
   [[nodiscard]] bool is_way(std::size_t at) const { return on_way(at); }
   static bool any(std::size_t) { return true; }
-  // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`.
+  // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`. None that
+  // is farther than `most_mm`.
   using May = bool (RuntimeWays::*)(std::size_t) const;
   template <class Accept>
-  [[nodiscard]] std::optional<std::size_t> nearest_cell(P p, May may, const Accept& accept) const {
+  [[nodiscard]] std::optional<std::size_t> nearest_cell(
+      P p, May may, const Accept& accept,
+      double most_mm = std::numeric_limits<double>::infinity()) const {
     const double size = cells_.cell_mm;
     const auto clamped = [&](double x, double origin, int count) {
       return static_cast<int>(std::clamp(std::floor((x - origin) / size), 0.0, count - 1.0));
     };
     const int column = clamped(p.x, cells_.origin_x_mm, cells_.columns);
     const int row = clamped(p.y, cells_.origin_y_mm, cells_.rows);
-    double least = std::numeric_limits<double>::infinity();
+    double least_squared = most_mm * most_mm;
     std::optional<std::size_t> best;
     int tests_left = cell_tests_most;
     const auto visit = [&](int x, int y) {
       const auto cell = cell_at(x, y);
-      if (!cell || tests_left == 0) return;
-      const double away = norm(centre(*cell) - p);
-      if (away >= least || !(this->*may)(*cell)) return;
+      if (!cell || tests_left == 0 || !(this->*may)(*cell)) return;
+      const P way = centre(*cell) - p;
+      const double squared = way.x * way.x + way.y * way.y;
+      if (squared >= least_squared) return;
       --tests_left;
       if (!accept(*cell)) return;
-      least = away;
+      least_squared = squared;
       best = cell;
     };
     const int last_column = cells_.columns - 1, last_row = cells_.rows - 1;
     for (int ring = 0; ring <= std::max(last_column, last_row) + 1; ++ring) {
-      if ((ring - 0.5) * size > least || tests_left == 0) break;
+      const double away = std::max(ring - 0.5, 0.0) * size;
+      if (away * away > least_squared || tests_left == 0) break;
       for (int x = std::max(0, column - ring); x <= std::min(last_column, column + ring); ++x) {
         if (std::abs(x - column) < ring) {
           visit(x, row - ring);

@@ -247,9 +247,9 @@ class Search {
         if (c < 0 || c >= cells_.columns || r >= cells_.rows) continue;
         const int other = r * cells_.columns + c;
         // not all that may be near enough have places that are
-        if (has_no_goal(other) && holds_somebody(other) && !they_part(one, other)) {
-          return std::pair{one, other};
-        }
+        if (!has_no_goal(other) || !holds_somebody(other) || they_part(one, other)) continue;
+        if (looks_ > looks_max) return std::nullopt;
+        return std::pair{one, other};
       }
     }
     return std::nullopt;

@@ -25,7 +25,7 @@ constexpr std::int32_t rounded_mm = 3;
 constexpr std::int32_t surely_tried_mm = 4;
 // It takes for tried what lies within 4 mm of the exact outline, which is 3 mm off these edges.
 constexpr double perhaps_tried_mm = 8;
-// Of edges and legs; what has not been looked at is not known.
+// Of edges; what has not been looked at is not known.
 constexpr std::int64_t looks_max = 40'000'000, of_cell_max = 400'000;
 
 // One ring, with its inside to the left of every edge, that turns round once and never to the
@@ -90,7 +90,8 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
   const auto column = static_cast<std::int32_t>(cell % columns);
   const auto row = static_cast<std::int32_t>(cell / columns);
   const std::vector<End> ends = ends_of(cell, false);
-  if (ends.empty() || looks_ > looks_max) return std::nullopt;
+  gave_up_ = !ends.empty() && looks_ > looks_max;
+  if (ends.empty() || gave_up_) return std::nullopt;
   const double size = cells_.cell_mm;
   // there the clearance along a leg is no less than at the end that has less, and the place that it
   // leads from has less than a goal

@@ -23,6 +23,8 @@ class StraightLegs {
   // none is known, or it may be longer than `most_mm`.
   [[nodiscard]] std::optional<double> longest_from(
       std::size_t cell, double most_mm = std::numeric_limits<double>::infinity());
+  // Whether the last one has not been looked for, since those before it took too long.
+  [[nodiscard]] bool gave_up() const { return gave_up_; }
   // In mm, to the farthest one that may be tried from anywhere in the cell; 0: there is none.
   [[nodiscard]] double farthest_from(std::size_t cell) const;
 
@@ -50,6 +52,7 @@ class StraightLegs {
   Connectors legs_;                 // what they keep
   Connectors around_;               // of places
   std::int64_t looks_ = 0, looks_end_ = 0;  // so many taken, and where a cell has had its share
+  bool gave_up_ = false;
 };
 
 }  // namespace rtac::geometry

@@ -71,23 +71,25 @@ double square_to(const Segment& s, const Box& box) {
   return least;
 }
 
+__extension__ using Wide = __int128;
 constexpr double per_mm = 1e-3;
 constexpr double same_m = 1e-9;  // what two doubles of one length differ by, and more
 
 // Whether a place of the segment is nearer to the box than `mm`, exactly, where both are on the
 // grid and have no place in common: one of the nearest two is an end or a corner.
+// Within the range of such coordinates (is_on_grid) no product has more than 105 bits.
 bool is_nearer(const Segment& s, const Box& box, long mm) {
-  const auto exact = [](double m) { return Rational(std::lround(m / per_mm)); };
-  const Rational ax = exact(s.ax), ay = exact(s.ay), bx = exact(s.bx), by = exact(s.by);
-  const Rational left = exact(box.x), right = exact(box.right);
-  const Rational low = exact(box.y), top = exact(box.top);
-  const Rational limit(mm * mm), dx = bx - ax, dy = by - ay, along = dx * dx + dy * dy;
-  const auto end_is_near = [&](const Rational& x, const Rational& y) {
-    const Rational off_x = x - std::clamp(x, left, right), off_y = y - std::clamp(y, low, top);
+  const auto exact = [](double m) { return Wide{std::lround(m / per_mm)}; };
+  const Wide ax = exact(s.ax), ay = exact(s.ay), bx = exact(s.bx), by = exact(s.by);
+  const Wide left = exact(box.x), right = exact(box.right);
+  const Wide low = exact(box.y), top = exact(box.top);
+  const Wide limit = Wide{mm} * mm, dx = bx - ax, dy = by - ay, along = dx * dx + dy * dy;
+  const auto end_is_near = [&](Wide x, Wide y) {
+    const Wide off_x = x - std::clamp(x, left, right), off_y = y - std::clamp(y, low, top);
     return off_x * off_x + off_y * off_y < limit;
   };
-  const auto corner_is_near = [&](const Rational& x, const Rational& y) {
-    const Rational part = (x - ax) * dx + (y - ay) * dy, beside = (y - ay) * dx - (x - ax) * dy;
+  const auto corner_is_near = [&](Wide x, Wide y) {
+    const Wide part = (x - ax) * dx + (y - ay) * dy, beside = (y - ay) * dx - (x - ax) * dy;
     return part > 0 && part < along && beside * beside < limit * along;
   };
   return end_is_near(ax, ay) || end_is_near(bx, by) || corner_is_near(left, low) ||
@@ -149,8 +151,8 @@ class Filler {
     if (side == 1) {
       const std::size_t at = row * grid_.columns + column;
       if (!inside_[at]) return;
-      grid_.clearance[at] =
-          on_grid_ ? rounded_down(std::sqrt(least), box, candidates) : std::sqrt(least) - slack_m;
+      grid_.clearance[at] = on_grid_ ? rounded_down(std::sqrt(least), box, candidates, squares)
+                                     : std::sqrt(least) - slack_m;
       return;
     }
     // nowhere in the block is the nearest one farther than the block is wide, across, from it
@@ -167,13 +169,17 @@ class Filler {
 
   // To whole millimetres; what a double cannot tell is found exactly.
   [[nodiscard]] double rounded_down(double least, const Box& box,
-                                    const std::vector<std::size_t>& candidates) const {
+                                    const std::vector<std::size_t>& candidates,
+                                    const std::vector<double>& squares) const {
     constexpr double unsure = 1e-3;  // mm
     const double mm = least / per_mm, whole = std::round(mm);
     if (std::abs(mm - whole) > unsure || whole == 0) return std::floor(mm) * per_mm;
-    const bool less = std::ranges::any_of(
-        candidates, [&](std::size_t s) { return is_nearer(all_[s], box, std::lround(whole)); });
-    return (less ? whole - 1 : whole) * per_mm;
+    const double surely_farther = (whole + unsure) * per_mm;
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      if (squares[k] > surely_farther * surely_farther) continue;
+      if (is_nearer(all_[candidates[k]], box, std::lround(whole))) return (whole - 1) * per_mm;
+    }
+    return whole * per_mm;
   }
 
   const std::vector<Segment>& all_;

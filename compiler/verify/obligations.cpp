@@ -463,10 +463,10 @@ void drop_own(const sema::Spec& spec, Report& report) {
   }
 }
 
-}  // namespace
-
-Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
-              const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check) {
+// Without places that runs might begin at.
+Report obligations_of(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
+                      const std::vector<diag::Diagnostic>& found,
+                      const protocol::CheckModel& check) {
   Report report;
   report.spec = spec.name;
   report.complete = module != nullptr;
@@ -495,6 +495,14 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
   repair_unseen(spec, found, report);
   repair_ways(spec, found, report);
   drop_own(spec, report);
+  return report;
+}
+
+}  // namespace
+
+Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
+              const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check) {
+  Report report = obligations_of(spec, module, tables, found, check);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {
       for (Decision& d : report.decisions) {
@@ -509,7 +517,7 @@ std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Mod
                                            const ir::TableMap& tables,
                                            const std::vector<diag::Diagnostic>& found) {
   std::set<analysis::Fault> all;
-  const Report report = verify(spec, &module, tables, found, {});
+  const Report report = obligations_of(spec, &module, tables, found, {});
   for (std::size_t n = 0; n < report.decisions.size(); ++n) {
     for (const Obligation& o : report.decisions[n].obligations) {
       const bool open = o.status == Status::unknown || o.status == Status::refuted;

@@ -248,15 +248,19 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   o.method = "ways over cells";
   if (!ways.stranded.empty()) {
-    const analysis::Stranded& part = ways.stranded.front();
+    // rather one that has been looked at; of others a run may show as much
+    const auto shut = analysis::shut_off(zone.cells, last, ways);
+    const analysis::Stranded& part = shut.empty() ? ways.stranded.front() : shut.front();
     // where cells are too coarse for a way, the recovery may find one; and where they are so coarse
     // that nobody fits in the middle of one, no run begins there
     const bool fits = holds_body(s, last.zone, part);
     o.status = fits ? Status::refuted : Status::unknown;
     o.by_a_run = fits;
     if (fits) o.place_mm = {part.x_mm, part.y_mm};
-    o.because = "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " +
-                quoted(zone.name) + " no way over its cells leads to where control is given back";
+    o.because =
+        "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +
+        (shut.empty() ? " no way over its cells has been found to where control is given back"
+                      : " no way over its cells leads to where control is given back");
     if (!fits) return o;
     // the part may be wide itself, and what leads out of it narrow
     if (part.clearance_mm < last.return_clearance_mm + zone.cells.cell_mm) {
