@@ -87,15 +87,16 @@ class Joint {
   [[nodiscard]] diag::Diagnostic report(std::size_t count, std::int64_t need_mm) const {
     const Fence& last = fences_[count - 1];
     const ir::Monitor& m = of_.decision.monitors[last.monitor];
+    diag::Diagnostic d{};
+    d.code = diag::Code::return_set_empty;
+    d.range = m.source;
+    d.message = "monitor `" + m.name + "`" + together + others(count);
+    if (of_.trials == nullptr) return d;    // nobody reads more
     std::int64_t low = -1, high = need_mm;  // mm of clearance that they do have in common
     while (high - low > 1) {
       const std::int64_t middle = low + (high - low) / 2;
       (common(count, middle).empty() ? high : low) = middle;
     }
-    diag::Diagnostic d{};
-    d.code = diag::Code::return_set_empty;
-    d.range = m.source;
-    d.message = "monitor `" + m.name + "`" + together + others(count);
     const std::string needed = metres(need_mm + rounded_mm);
     d.label = "no place in common has a clearance of " + needed;
     d.notes.push_back({std::nullopt, low < 0 ? "nor any at all: they do not overlap so far"
@@ -116,7 +117,6 @@ class Joint {
   // than what is rounded it is not shown to be one (P2b, joint return).
   [[nodiscard]] std::optional<std::string> wider_zone(std::size_t count, std::int64_t need_mm,
                                                       const Fault& fault) const {
-    if (of_.trials == nullptr) return std::nullopt;  // nobody reads it
     const std::int64_t most_mm = grown_most * (need_mm + rounded_mm);
     for (std::size_t i = count; i-- > 0;) {
       const ir::ZoneIndex zone = fences_[i].zone;

@@ -5,10 +5,10 @@
 namespace rtac::analysis {
 namespace {
 
-// Of one specification: a report is no search that lasts. Efforts are of some 30 s, and of 10 s.
+// Of one specification: a report is no search that lasts. Efforts are of 30 to 90 s, and of a third.
 constexpr int runs_most = 200;
 constexpr std::int64_t effort_most = 4'500'000, effort_of_remark_most = 1'500'000;
-// Besides, runs that ask what is shown, of some 5 s; after that, reports alone have to do.
+// Besides, runs that ask what is shown, of 5 to 15 s; after that, reports alone have to do.
 constexpr int shown_most = 40;
 constexpr std::int64_t effort_of_shown_most = 750'000;
 // Where a run takes long, a number is looked for to within this share of it.

@@ -51,7 +51,8 @@ class Connectors {
   [[nodiscard]] bool is_sound(const Spot& spot, const Landing& to, double off_mm = 0) const;
   // From how much of a spot the leg to there is sound: from no place of it, or it is not known from
   // all. The edge `by` refused it last, and is asked first; the one that refuses it now takes its
-  // place. From a part of a spot it is mostly the same one.
+  // place. From a part of a spot it is mostly the same one. Of two that refuse it one may say from
+  // none, and the other one not know.
   enum class Sight { from_all, unknown, from_none };
   static constexpr std::uint32_t nobody = UINT32_MAX;
   [[nodiscard]] Sight sight(const Spot& spot, const Landing& to, std::uint32_t& by) const;
@@ -76,7 +77,7 @@ class Connectors {
   double corner_x_mm_ = 0, corner_y_mm_ = 0, size_mm_ = 0;
   double limit_mm_ = 0;  // from its middle, of what matters of them
   std::int64_t looked_at_ = 0;
-  mutable std::uint32_t refused_last_ = nobody;  // who is asked first changes no answer
+  mutable std::uint32_t refused_last_ = nobody;  // by `is_sound`, of which it changes no answer
 };
 
 }  // namespace rtac::geometry

@@ -574,7 +574,7 @@ Entry entry(const Table& zone, const Table& fence, const EntryQuery& query) {
   struct Question {
     Drawn zone, fence;
     EntryQuery query;
-    std::vector<Rational> starts;  // the coordinates of each ring, after how many there are
+    std::vector<Ring> starts;
     bool operator==(const Question& q) const {
       return zone == q.zone && fence == q.fence && same_numbers(query, q.query) &&
              starts == q.starts;
@@ -582,10 +582,7 @@ Entry entry(const Table& zone, const Table& fence, const EntryQuery& query) {
   };
   thread_local Kept<Question, Entry> kept;
   Question question{{zone.edges, zone.cells}, {fence.edges, fence.cells}, query, {}};
-  for (const Ring& ring : query.starts ? query.starts->rings() : std::vector<Ring>{}) {
-    question.starts.emplace_back(static_cast<unsigned long>(ring.size()));
-    for (const Point& p : ring) question.starts.insert(question.starts.end(), {p.x, p.y});
-  }
+  if (query.starts) question.starts = query.starts->rings();
   return kept.find(std::move(question), [&] { return Entering(zone, fence, query).run(); });
 }
 

@@ -65,7 +65,7 @@ namespace {
 // Parts with, or without, a band along their boundary. The same zones are grown and shrunk by the
 // same distances for each monitor, and for each number that is tried.
 struct Banded {
-  std::vector<Rational> corners;  // coordinates ring by ring, after how many there are
+  std::vector<Ring> rings;
   Rational distance, excess;
   BandSide side;
   bool operator==(const Banded&) const = default;
@@ -74,13 +74,8 @@ std::vector<PolygonWithHoles> with_band(const std::vector<Ring>& rings,
                                         const std::vector<PolygonWithHoles>& parts,
                                         const Rational& distance, const Rational& excess,
                                         BandSide side) {
-  Banded question{{}, distance, excess, side};
-  for (const Ring& ring : rings) {
-    question.corners.emplace_back(static_cast<unsigned long>(ring.size()));
-    for (const Point& p : ring) question.corners.insert(question.corners.end(), {p.x, p.y});
-  }
   thread_local Kept<Banded, std::vector<PolygonWithHoles>> kept;
-  return kept.find(std::move(question), [&] {
+  return kept.find({rings, distance, excess, side}, [&] {
     return overlay_band(rings, boundary_band(parts, distance, excess, side),
                         side == BandSide::exterior ? Combine::unite : Combine::subtract);
   });

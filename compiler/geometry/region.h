@@ -16,6 +16,7 @@ namespace rtac::geometry {
 
 struct Point {
   Rational x, y;
+  friend bool operator==(const Point&, const Point&) = default;
 };
 using Ring = std::vector<Point>;
 

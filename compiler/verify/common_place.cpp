@@ -49,7 +49,8 @@ std::optional<Point> place_in(const geometry::PolygonWithHoles& polygon, const I
   return std::nullopt;
 }
 
-std::optional<Point> place_in_common(const Subject& s, const std::vector<Need>& all) {
+std::optional<Point> place_in_common(const Subject& s, const std::vector<Need>& all,
+                                     const IsClear& is_clear) {
   Region common = Region::everywhere();
   for (const Need& need : all) {
     const auto deep = analysis::within(s.exact(need.zone), need.clearance_mm);
@@ -57,20 +58,30 @@ std::optional<Point> place_in_common(const Subject& s, const std::vector<Need>& 
     common = common.intersect(*deep);
   }
   for (const geometry::PolygonWithHoles& polygon : common.polygons()) {
-    const auto at = place_in(polygon, [&](const Point& p) { return is_clear(s, all, p); });
-    if (at) return at;
+    if (const auto at = place_in(polygon, is_clear)) return at;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-bool is_clear(const Subject& s, const std::vector<Need>& all, const Point& p) {
-  return std::ranges::all_of(all, [&](const Need& need) {
+IsClear::IsClear(const Subject& s, const std::vector<Need>& all) {
+  for (const Need& need : all) {
     const Region& region = s.exact(need.zone);
-    const Rational metres = analysis::metres_of(need.clearance_mm);
-    return region.contains(p) && square_to(region.rings(), p) >= metres * metres;
+    zones_.push_back({region, analysis::outline::Outline::of(region), need.clearance_mm});
+  }
+}
+
+bool IsClear::operator()(const Point& p) const {
+  constexpr double unsure_mm = 1;  // far more than doubles are off
+  const analysis::outline::P at{1000 * p.x.get_d(), 1000 * p.y.get_d()};
+  const bool perhaps = std::ranges::all_of(zones_, [&](const Zone& zone) {
+    return zone.outline.clearance(at) >= double(zone.clearance_mm) - unsure_mm;
   });
+  return perhaps && std::ranges::all_of(zones_, [&](const Zone& zone) {
+           const Rational metres = analysis::metres_of(zone.clearance_mm);
+           return zone.region.contains(p) && square_to(zone.region.rings(), p) >= metres * metres;
+         });
 }
 
 std::optional<Point> common_place(const Subject& s, const std::vector<Need>& all) {
@@ -80,8 +91,9 @@ std::optional<Point> common_place(const Subject& s, const std::vector<Need>& all
                s.module[b.zone].widest_mm - b.clearance_mm;
       });
   const ir::ZoneTable& zone = s.module[narrowest.zone];
+  const IsClear is_clear(s, all);
   const Point widest{analysis::metres_of(zone.widest_x_mm), analysis::metres_of(zone.widest_y_mm)};
-  if (is_clear(s, all, widest)) return widest;
+  if (is_clear(widest)) return widest;
   const ir::Cells& cells = zone.cells;
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
     if (cells.clearance_mm_lo[at] < narrowest.clearance_mm) continue;
@@ -90,9 +102,9 @@ std::optional<Point> common_place(const Subject& s, const std::vector<Need>& all
     const Point centre{
         analysis::metres_of(cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half),
         analysis::metres_of(cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half)};
-    if (is_clear(s, all, centre)) return centre;
+    if (is_clear(centre)) return centre;
   }
-  return place_in_common(s, all);
+  return place_in_common(s, all, is_clear);
 }
 
 std::optional<Point> any_place(const Subject& s, std::vector<Need> all) {

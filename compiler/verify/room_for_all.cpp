@@ -83,7 +83,7 @@ Floor floor_of(const Subject& s, const std::vector<Need>& all) {
     floor.corners += s.exact(need.zone).vertices();
   }
   floor.around = common.rings();
-  floor.has = [&s, all](const geometry::Point& p) { return is_clear(s, all, p); };
+  floor.has = IsClear(s, all);
   return floor;
 }
 
