@@ -5,7 +5,8 @@
 namespace rtac::analysis {
 namespace {
 
-// Of one specification: a report is no search that lasts. Efforts are of 30 to 90 s, and of a third.
+// Of one specification: a report is no search that lasts. Efforts are of 30 to 90 s, and of a
+// third.
 constexpr int runs_most = 200;
 constexpr std::int64_t effort_most = 4'500'000, effort_of_remark_most = 1'500'000;
 // Besides, runs that ask what is shown, of 5 to 15 s; after that, reports alone have to do.
