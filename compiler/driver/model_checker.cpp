@@ -67,10 +67,10 @@ class Checker {
     if (made.status != 0) return "spin does not read the model: " + told(said());
     if (!is_there("pan.c")) return "spin makes nothing of the model: " + told(said());
     // in two steps, of which a compiler that keeps what it has compiled can leave out the first
-    const ProgramResult compiled = shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
-                                             (is_large() ? " -O2" : " -O0") +
-                                             " -c pan.c && ${CC:-cc} -o pan pan.o",
-                                         compiler_seconds_max);
+    const ProgramResult compiled =
+        shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
+                  (is_large() ? " -O2" : " -O0") + " -c pan.c && ${CC:-cc} -o pan pan.o",
+              compiler_seconds_max);
     if (compiled.timed_out) return not_ended("the C compiler", compiler_seconds_max);
     if (compiled.started && compiled.status == 0 && is_there("pan")) return "";
     return "no C compiler (`$CC` or `cc`) works: " + told(said());
