@@ -100,9 +100,11 @@ class Recoveries {
     const bool braked = asks.clearance && monitor_.recovery.claims;
     const bool holds = stays || waits || braked;
     // Whether there is room to pass each other is not shown, nor that what leads away from
-    // boundaries leads away from others: it may be accepted that robots wait for each other. Nor is
-    // what becomes of a robot on the ground, or of one that its return condition keeps.
-    const bool may_wait = (asks.distance && ir::moves(last)) ||
+    // boundaries leads away from others, nor where an external one leads: it may be accepted that
+    // robots wait for each other. Nor is what becomes of a robot on the ground, or of one that its
+    // return condition keeps.
+    const bool leads_elsewhere = ir::moves(last) || last == ir::RecoveryKind::external;
+    const bool may_wait = (asks.distance && leads_elsewhere) ||
                           (asks.only_lower && last == ir::RecoveryKind::land) ||
                           monitor_.returns.how == ir::Returns::How::open;
     // what cannot be looked ahead is reported by itself (5006), and so is what leads elsewhere, and

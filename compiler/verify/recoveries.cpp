@@ -519,6 +519,7 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   o.status = Status::unknown;
   o.method = "no proof";
   o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
+  o.repair = "a template that leads back, or `hold when violated \"why\"`";
   return o;
 }
 

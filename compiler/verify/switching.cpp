@@ -135,8 +135,8 @@ Obligation starts_well(const Subject& s) {
       "every monitor whose return set does not hold is engaged at the start, and a recovery "
       "drives: one that stands is held within " +
       metres(s.decision.standing_mm) +
-      " of its place until it is led away, and where a property is false, it leads out (language "
-      "rules 10 and 11)";
+      " of its place until it is led away, and where a property is false, a template that moves "
+      "leads out (language rules 10 and 11)";
   o.claims.push_back({"start", {{"decision", s.decision.name}}});
   return o;
 }

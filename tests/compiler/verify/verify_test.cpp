@@ -186,6 +186,32 @@ decision go for Rover { advanced drive; period 50 ms; priority fence; }
   EXPECT_NE(unsought.out.find("no way over its cells leads"), std::string::npos) << unsought.out;
 }
 
+// Nobody knows where an external recovery leads: that robots wait for each other may be accepted of
+// it (rule 11), and what else is proved of it stays so.
+TEST_F(Verify, WhereAnExternalRecoveryLeadsMayBeAccepted) {
+  const auto page = [](const std::string& hold) {
+    return "spec two;\n" +
+           edited(edited(a_rover, "fleet r1", "fleet a, b"), "  latency",
+                  "  hears other robots max_age 150 ms;\n  latency") +
+           "zone hall = rectangle (0 m, 0 m) to (9 m, 9 m);\n"
+           "controller bought : safe for Rover extern keeps inside hall speed <= 0.3 m/s;\n"
+           "monitor apart for r : Rover { \"R1: apart\"\n"
+           "  always forall q : Rover, q != r : distance(r, q) >= 5 cm; ahead 100 ms;\n"
+           "  recover bought; " +
+           hold +
+           " }\n"
+           "decision go for Rover { advanced drive; period 50 ms; priority apart; }\n";
+  };
+  const Outcome open = verified(page(""), {"--format", "json"});
+  EXPECT_EQ(statuses(open.out, "P2a", "apart"), Statuses{"proved"}) << open.out << open.err;
+  EXPECT_EQ(statuses(open.out, "P2b", "apart"), Statuses{"unknown"});
+  const Outcome accepted =
+      verified(page("hold when violated \"somebody comes\";"), {"--format", "json"});
+  EXPECT_EQ(statuses(accepted.out, "P2a", "apart"), Statuses{"proved"}) << accepted.err;
+  EXPECT_EQ(statuses(accepted.out, "P2b", "apart"), Statuses{"acknowledged"});
+  EXPECT_EQ(accepted.status, exit_clean) << accepted.out << accepted.err;
+}
+
 TEST_F(Verify, UnsoundLookAheadIsAcknowledged) {
   const Outcome o = verified(
       edited(drone_spec(), "ahead   100 ms", "ahead   20 ms unsound \"to see what happens\""),
