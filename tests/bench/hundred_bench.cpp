@@ -18,7 +18,8 @@ bool measure_hundred(const Effort& effort, Report& report) {
   while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) {
     lines.append(buffer, got);
   }
-  if (pclose(pipe) == 0 && !lines.empty() && report.add_lines(lines)) return true;
+  const bool good = pclose(pipe) == 0;
+  if (!lines.empty() && report.add_lines(lines)) return good;
   std::fputs("rtac_bench: the step with a fence of 100 vertices was not measured\n", stderr);
   return false;
 }
