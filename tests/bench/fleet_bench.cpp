@@ -1,8 +1,8 @@
 // What a decision costs in fleets of several sizes: robots on a square grid, a few metres apart,
 // each heard a moment ago. Who is far off is left out before it is looked at closely.
 #include <chrono>
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string>
