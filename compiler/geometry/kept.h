@@ -2,6 +2,7 @@
 // is analysed: for each monitor, for each pair, for what it is rechecked by.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -36,10 +37,12 @@ class Kept {
  public:
   template <class Find>
   Answer find(Question question, const Find& find) {
-    for (const Known& known : last_) {
-      if (!(known.question == question)) continue;
-      looks() += known.looks;
-      return known.answer;
+    const auto known = std::ranges::find(last_, question, &Known::question);
+    if (known != last_.end()) {
+      std::rotate(last_.begin(), known,
+                  known + 1);  // what is not asked any more is forgotten first
+      looks() += last_.front().looks;
+      return last_.front().answer;
     }
     const std::int64_t before = looks();
     Answer found = find();

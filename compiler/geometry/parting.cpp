@@ -343,7 +343,9 @@ class Search {
     std::ranges::partition_copy(
         p.landings, std::back_inserter(p.patch->sound), std::back_inserter(p.grazing),
         [&](int to) { return p.connectors == nullptr || all_clear(cell, to); });
-    if (p.connectors) p.connectors->look_around(m.x - size_ / 2, m.y - size_ / 2, size_, far_mm_);
+    if (p.connectors) {
+      (void)p.connectors->look_around(m.x - size_ / 2, m.y - size_ / 2, size_, far_mm_);
+    }
     return p;
   }
   // As far as legs lead from there, every place between is as clear as ways are.

@@ -19,6 +19,11 @@ TEST(Kept, FindsEachAnswerOnceAmongTheLastOnes) {
   EXPECT_EQ(ask(12), 24);  // the oldest one is forgotten
   EXPECT_EQ(ask(0), 0);
   EXPECT_EQ(found, 14);
+  // but not what has been asked again since
+  EXPECT_EQ(ask(2), 4);
+  EXPECT_EQ(ask(20), 40);
+  EXPECT_EQ(ask(2), 4);
+  EXPECT_EQ(found, 15);
 }
 
 // So that what is tried hangs on nothing that was asked before.

@@ -84,13 +84,13 @@ decision d for Bot { advanced drive; period 100 ms; priority apart > walls; }
   // so far apart, and still held by each other's reach
   EXPECT_EQ(square("4"), "unknown");
   EXPECT_EQ(square("4.6"), "proved");
-  const auto box = [&](const std::string& side) {
+  const auto prism = [&](const std::string& side) {
     return two_in("prism (rectangle (0 m, 0 m) to (" + side + " m, " + side + " m)) from 0 m to " +
                       side + " m",
                   "point3", "vector3");
   };
-  EXPECT_EQ(box("3.7"), "refuted");
-  EXPECT_EQ(box("7"), "proved");
+  EXPECT_EQ(prism("3.7"), "refuted");
+  EXPECT_EQ(prism("7"), "proved");
 }
 
 // By other code.
