@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 constexpr int clean = 0, errors = 1, refuted = 3, unknown = 4;
 
 // Of so many pages each test looks at those whose turn it is (tests/turn.h): one of them at least,
-// where four take turns, as on the integration machine.
-constexpr int pages_each = 4;
+// where eight take turns, as on the integration machine.
+constexpr int pages_each = 8;
 
 class Pages : public ::testing::TestWithParam<int> {
  protected:

@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t parts = 8;  // a kernel each
 // Of so many parts each test looks at those whose turn it is (tests/turn.h): one of them at least,
-// where four take turns.
-constexpr std::size_t parts_each = 4;
+// where eight take turns.
+constexpr std::size_t parts_each = 8;
 constexpr std::size_t runs = 12, steps = 40, formulas_min = 200;
 
 // One of the types that a pair may have, on these leaves.
