@@ -174,8 +174,8 @@ class RuntimeWays {
   [[nodiscard]] bool holds_body(std::size_t at) const { return clear_mm(at) >= 0; }
   [[nodiscard]] bool is_way(std::size_t at) const { return on_way(at); }
   static bool any(std::size_t) { return true; }
-  // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`. None that
-  // is farther than `most_mm`.
+  // GridRoute::nearest_cell: ring by ring; `accept` is asked of so many cells that `may`, and are
+  // nearer than `most_mm`.
   using May = bool (RuntimeWays::*)(std::size_t) const;
   template <class Accept>
   [[nodiscard]] std::optional<std::size_t> nearest_cell(

@@ -39,8 +39,8 @@ class Kept {
   Answer find(Question question, const Find& find) {
     const auto known = std::ranges::find(last_, question, &Known::question);
     if (known != last_.end()) {
-      std::rotate(last_.begin(), known,
-                  known + 1);  // what is not asked any more is forgotten first
+      // what is not asked any more is forgotten first
+      std::rotate(last_.begin(), known, known + 1);
       looks() += last_.front().looks;
       return last_.front().answer;
     }
