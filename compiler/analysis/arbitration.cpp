@@ -56,12 +56,13 @@ class Endings {
   std::map<Key, std::optional<Ending>> found_;
 };
 
-// What a recovery may do to the property of another monitor of its decision.
+// What a recovery may do to the property of another monitor of its decision. `by_itself`: the other
+// monitor's recovery is not there to answer to inputs, to others and to zones that come and go.
 class Pair {
  public:
   Pair(const sema::RobotKind& kind, const ir::Module& module, const ir::Decision& decision,
        const ExactZone& exact, const ExactSolid& solid, Endings& endings, std::size_t driving,
-       std::size_t judged)
+       std::size_t judged, bool by_itself)
       : kind_(kind),
         module_(module),
         decision_(decision),
@@ -72,17 +73,18 @@ class Pair {
         driving_(decision.monitors[driving]),
         recovery_(driving_.recovery),
         judged_(decision.monitors[judged]),
+        by_itself_(by_itself),
         take_over_{module, decision, exact, solid, judged} {}
 
   // nullopt: it keeps the property.
   std::optional<Entry> broken() {
     const ir::Block& says = judged_.property;
-    const bool heard = decision_.coordinated && speaks_of_inputs(says, says.result);
+    const bool heard = by_itself_ && speaks_of_inputs(says, says.result);
     if (!keeps(says, says.result) || (heard && !answers_to_inputs())) {
-      entry_.answered = decision_.coordinated && is_answered();
+      entry_.answered = by_itself_ && is_answered();
       return entry_;
     }
-    if (decision_.coordinated && others_may_break(decision_, judged_)) return before_others();
+    if (by_itself_ && others_may_break(decision_, judged_)) return before_others();
     return std::nullopt;
   }
 
@@ -95,18 +97,18 @@ class Pair {
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       // Of zones that come and go, only the monitor's own recovery leads out in time, and whoever
       // outranks it needs an acknowledgement of its own (5031).
-      if (speaks_of_windows(block, id)) return !decision_.coordinated || keeps_windows();
+      if (speaks_of_windows(block, id)) return !by_itself_ || keeps_windows();
       if (keeps_a_side(module_, decision_, exact_, drives_, block, id)) {
         return has_slow_side(module_, decision_, drives_, block, *v) || starts_in_its_zones();
       }
-      if (!decision_.coordinated && too_fast_while_told(block, id)) return false;
+      if (!by_itself_ && too_fast_while_told(block, id)) return false;
       return keeps(block, v->a) && keeps(block, v->b);
     }
     if (const ir::Block* body = ir::body_of(op)) return keeps(*body, body->result);
     if (const auto* v = std::get_if<ir::AtLeast>(&op)) return keeps_comparison(block, *v);
     // What the robot has no part in, plans, which are judged before they are driven, and what
     // cannot be looked ahead, which is refused (5006).
-    return !decision_.coordinated || std::holds_alternative<ir::Truth>(op) || answers_to_inputs();
+    return !by_itself_ || std::holds_alternative<ir::Truth>(op) || answers_to_inputs();
   }
   [[nodiscard]] Pace pace(const ir::Block& block, ir::ValueId id) {
     return pace_of(block, id, fastest_while_driving(decision_, drives_),
@@ -509,6 +511,7 @@ class Pair {
   const ir::Monitor& driving_;
   const ir::Recovery& recovery_;
   const ir::Monitor& judged_;
+  const bool by_itself_;
   const TakeOver take_over_;
   Entry entry_;
 };
@@ -549,7 +552,8 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
     for (std::size_t j = 0; j < count; ++j) {
       // its own property: check_recoveries
       if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) continue;
-      auto broken = Pair(kind, module, decision, exact, solid, endings, i, j).broken();
+      auto broken =
+          Pair(kind, module, decision, exact, solid, endings, i, j, decision.coordinated).broken();
       if (!broken) continue;
       unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;
@@ -568,23 +572,77 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
   return all;
 }
 
-void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
-                const ExactSolid& solid) {
-  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
-    ir::Decision& decision = module.decisions[n];
-    if (!decision.coordinated) continue;
-    const Arbitration all =
-        arbitration_of(spec[spec.decisions[n].kind], module, decision, exact, solid);
-    decision.keeps.clear();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      decision.keeps.emplace_back();
-      for (std::size_t j = 0; j < all.size(); ++j) {
-        const bool own = decision.monitors[i].recovery.name == decision.monitors[j].recovery.name;
-        decision.keeps[i].push_back(own                                  ? ir::Kept::own
-                                    : all[i][j].keeping == Keeping::kept ? ir::Kept::proved
-                                                                         : ir::Kept::unproved);
+namespace {
+
+using Keeps = std::vector<std::vector<ir::Kept>>;
+
+// `shows(i, j)`: that the recovery of monitor i keeps monitor j.
+template <class Shows>
+Keeps keeps_of(const ir::Decision& decision, const Shows& shows) {
+  const std::size_t count = decision.monitors.size();
+  Keeps keeps(count, std::vector<ir::Kept>(count, ir::Kept::unproved));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      if (decision.monitors[i].recovery.name == decision.monitors[j].recovery.name) {
+        keeps[i][j] = ir::Kept::own;
+      } else if (shows(i, j)) {
+        keeps[i][j] = ir::Kept::proved;
       }
     }
+  }
+  return keeps;
+}
+
+// Zones, heights and speed: others and inputs have no part in them, and no charge is spent on them
+// that is reckoned with once.
+bool is_of_the_robot_alone(const ir::Monitor& monitor) {
+  bool alone = true;
+  ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+    for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
+      alone = alone && (leaf.kind == ir::Leaf::Kind::clearance ||
+                        leaf.kind == ir::Leaf::Kind::altitude || leaf.kind == ir::Leaf::Kind::speed);
+    }
+  });
+  return alone;
+}
+
+// With `priority` the matter of those alone that would else take over.
+Keeps drives_on(const sema::RobotKind& kind, const ir::Module& module,
+                const ir::Decision& decision, const ExactZone& exact, const ExactSolid& solid) {
+  Endings endings(kind, module, decision);
+  return keeps_of(decision, [&](std::size_t i, std::size_t j) {
+    return j < i && is_of_the_robot_alone(decision.monitors[j]) &&
+           !Pair(kind, module, decision, exact, solid, endings, i, j, true).broken();
+  });
+}
+
+bool shows_any(const ir::Decision& decision) {
+  return std::ranges::any_of(decision.keeps, [](const std::vector<ir::Kept>& row) {
+    return std::ranges::find(row, ir::Kept::proved) != row.end();
+  });
+}
+
+}  // namespace
+
+void fill_keeps(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
+                const ExactSolid& solid) {
+  bool one_drives_on = false;
+  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
+    ir::Decision& decision = module.decisions[n];
+    const sema::RobotKind& kind = spec[spec.decisions[n].kind];
+    if (decision.coordinated) {
+      const Arbitration all = arbitration_of(kind, module, decision, exact, solid);
+      decision.keeps = keeps_of(decision, [&](std::size_t i, std::size_t j) {
+        return all[i][j].keeping == Keeping::kept;
+      });
+    } else if (!decision.on_plan) {
+      decision.keeps = drives_on(kind, module, decision, exact, solid);
+      one_drives_on = one_drives_on || shows_any(decision);
+    }
+  }
+  if (one_drives_on) return;
+  for (ir::Decision& decision : module.decisions) {
+    if (!decision.coordinated) decision.keeps.clear();
   }
 }
 

@@ -73,8 +73,10 @@ std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkep
 // Which recoveries do not keep each other, in words; "": the entry has no conflict.
 std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 
-// Fills the matrices of decisions that `coordinate`.
-void coordinate(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
+// Fills the matrices of decisions: the whole of one that coordinates; with `priority` of monitors
+// that rank above the recovery's own, and which it keeps by itself, so that it drives on though they
+// engage (rule 10). Where no decision by priority has any, theirs are empty.
+void fill_keeps(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
                 const ExactSolid& solid);
 
 // The errors of the specification with a change of one of its decisions, what is not shown of it,

@@ -175,7 +175,7 @@ void DecisionPrinter::print_constants() {
         if (pairs()) to.line("{0, 1, 1} /* holding, and bound by its promise to stay */");
       },
       "};");
-  if (d_.coordinated) print_keeps();
+  if (!d_.keeps.empty()) print_keeps();
   out_.comment(std::string("From the decision until its recovery acts: look-ahead") +
                (b.jitter_us > 0 ? ", jitter" : "") + " and latency, us.");
   std::string list;
@@ -185,8 +185,10 @@ void DecisionPrinter::print_constants() {
 
 void DecisionPrinter::print_keeps() {
   out_.comment(
-      "What is shown to keep what, to coordinate by. Row: a recovery, column: a monitor; 0: not "
-      "shown, 1: shown, 2: its own recovery.");
+      "What is shown to keep what, " +
+      std::string(d_.coordinated ? "to coordinate by" : "so that it drives on") +
+      ". Row: a recovery, column: a monitor; 0: not shown" +
+      (d_.coordinated ? "" : ", or ranking lower") + ", 1: shown, 2: its own recovery.");
   out_.block(
       "static const int32_t " + id_ + "_keeps[] =",
       [&](Code& to) {

@@ -213,7 +213,10 @@ class StepPrinter : public CheckPrinter {
     const std::string dwell = num(d_.dwell_ticks) + ",";
     const std::string rest = "in->surrender ? " + num(surrender_mode(d_)) + " : 0, may_leave);";
     if (!d_.coordinated) {
-      to.line("s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, " +
+      const bool keeps = !d_.keeps.empty();
+      if (keeps) use({"drives_on"});
+      to.line("s->mode = mode_step(s->monitors, checks, " +
+              (keeps ? id_ + "_keeps, " : std::string()) + "MONITORS, before, first, elapsed, " +
               dwell);
       to.line("                    " + rest);
       return;

@@ -183,8 +183,8 @@ Json facts(const Module& module, const sema::Spec& spec, const Decision& d) {
   }
   return j;
 }
-// Of a decision that coordinates: which monitors the recovery of each is shown to keep, whatever is
-// measured.
+// Which monitors the recovery of each is shown to keep, whatever is measured; with `priority`, of
+// those that rank higher and that it drives on for though they engage.
 Json keeps(const Decision& d) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < d.keeps.size(); ++i) {
@@ -215,7 +215,7 @@ Json decision(const Module& module, const sema::Spec& spec, const Decision& d) {
     j["acknowledged"].push_back(
         {{"recovery", a.recovery}, {"monitor", a.monitor}, {"reason", a.reason}});
   }
-  if (d.coordinated) j["keeps"] = keeps(d);
+  if (!d.keeps.empty()) j["keeps"] = keeps(d);
   for (const Agent& a : d.agents) {
     j["agents"].push_back({{"name", a.name},
                            {"radius_mm", a.radius_mm},

@@ -244,8 +244,13 @@ std::string step_contract(const DecisionFacts& f) {
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
     const std::string at = "out->monitors[" + number(k) + "]", far = number(horizon_of(f, k));
     const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
-    out +=
-        "ensures priority: " + at + ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1) + ";\n";
+    const std::string ranks = ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1);
+    out += "/*? !drives_on */ ensures priority: " + at + ranks + ";\n";
+    // what the arbitration proves of pairs stands in the table
+    out += "/*? drives_on */ ensures priority: " + at + ranks +
+           " ||\n/*? drives_on */   (1 <= out->mode == out->previous_mode && $D_keeps[(out->mode - 1) * " +
+           number(f.monitors.size()) + " + " + number(k) + "] == 1 && " + at +
+           ".now != VERDICT_FALSE);\n";
     // The first step asks the longer look-ahead alone, which leaves no room for a violation.
     out += "ensures advanced: out->mode == 0 ==> " + at +
            ".engaged == 0 &&\n  (\\old(s->clock.started) != 0 ==> " + at +

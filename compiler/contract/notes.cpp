@@ -39,7 +39,27 @@ std::string prefixed(const std::string& line, const std::string& prefix) {
   return out;
 }
 
+bool defines(const std::string& kernel, const std::string& function) {
+  return kernel.find(" " + function + "(") != std::string::npos;
+}
+
 }  // namespace
+
+std::string notes_for(const std::string& text, const std::string& kernel) {
+  static const std::string mark = "/*? ", end = " */ ";
+  std::string out;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (starts_with(line, mark)) {
+      const bool without = line[mark.size()] == '!';
+      const std::size_t name = mark.size() + (without ? 1 : 0), after = line.find(end, name);
+      if (defines(kernel, line.substr(name, after - name)) == without) continue;
+      line.erase(0, after + end.size());
+    }
+    out += line + "\n";
+  }
+  return out;
+}
 
 void read_notes(const std::string& text, const std::string& prefix, Notes& notes) {
   Function* function = nullptr;

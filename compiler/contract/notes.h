@@ -7,7 +7,8 @@
 //   -- at end           assertions where the function ends
 //   == after NAME       what follows stands behind the declaration of that type, table or macro
 //
-// Lines that begin with # are comments. `KERNEL_` stands for the prefix of what a kernel declares.
+// Lines that begin with `/*? FUNCTION */` are of kernels that define the function, those with
+// `/*? !FUNCTION */` of those that do not. Lines that begin with # are comments. `KERNEL_` stands for the prefix of what a kernel declares.
 #pragma once
 
 #include <map>
@@ -31,6 +32,8 @@ struct Notes {
   std::map<std::string, Lines> after;
 };
 
+// What `text` says of this kernel.
+std::string notes_for(const std::string& text, const std::string& kernel);
 // Adds what `text` says, with `prefix` for KERNEL_.
 void read_notes(const std::string& text, const std::string& prefix, Notes& notes);
 

@@ -182,10 +182,11 @@ class Weaver {
 Annotated annotate(const std::string& kernel, const std::string& prefix,
                    const std::string& contracts) {
   Notes notes, required;
+  const std::string here = notes_for(contracts, kernel);
   // First, since what they require of functions of the library has to precede what those ensure.
-  read_notes(contracts, prefix, notes);
-  for (const char* text : library_texts()) read_notes(text, prefix, notes);
-  read_notes(contracts, prefix, required);
+  read_notes(here, prefix, notes);
+  for (const char* text : library_texts()) read_notes(notes_for(text, kernel), prefix, notes);
+  read_notes(here, prefix, required);
   return Weaver(notes, required, kernel).run();
 }
 

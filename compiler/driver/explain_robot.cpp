@@ -123,6 +123,17 @@ class RobotRemarks {
     return text;
   }
 
+  // "": of one by priority whose recovery gives way to every monitor that ranks higher.
+  static std::string driving_on(const Decision& d, std::size_t row) {
+    std::string kept;
+    for (std::size_t j = 0; j < row; ++j) {
+      if (d.keeps[row][j] != Kept::proved) continue;
+      kept += (kept.empty() ? "" : ", ") + d.monitors[j].name;
+    }
+    if (kept.empty()) return "";
+    return d.monitors[row].recovery.name + " is shown to keep " + kept +
+           ", and drives on though that engages, unless it is false or a tick was missed";
+  }
   // Of a decision that coordinates.
   static std::string keeping(const Decision& d, std::size_t row) {
     std::string doubtful;
@@ -149,7 +160,10 @@ class RobotRemarks {
       details.push_back("state: " + bytes(codegen::decision_state_bytes(d)) + " a robot");
     }
     for (const Monitor& m : d.monitors) details.push_back("monitor " + m.name);
-    for (std::size_t k = 0; k < d.keeps.size(); ++k) details.push_back(keeping(d, k));
+    for (std::size_t k = 0; k < d.keeps.size(); ++k) {
+      std::string says = d.coordinated ? keeping(d, k) : driving_on(d, k);
+      if (!says.empty()) details.push_back(std::move(says));
+    }
     add(from.period ? join(from.name_range, from.period->range) : from.name_range,
         "decision " + d.name + " for " + d.kind + (d.on_plan ? ", on a plan" : ""),
         std::move(details));

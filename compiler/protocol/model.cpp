@@ -90,19 +90,24 @@ bool is_covered(const Subject& s, std::size_t judged) {
   }
 }
 
-std::string coordination(const Subject& s) {
-  std::string shown, covered;
-  for (std::size_t i = 0; i < s.shown.size(); ++i) {
-    for (const int kept : s.shown[i]) {
+std::string table_shown(const Subject& s) {
+  std::string shown;
+  for (const std::vector<int>& row : s.shown) {
+    for (const int kept : row) {
       shown += (shown.empty() ? "" : ", ") + num(static_cast<std::int64_t>(kept));
     }
+  }
+  return "/* What the recovery of a row is shown to keep" +
+         std::string(s.coordinated ? ", to coordinate by" : " of what ranks higher") +
+         "; 2: its own monitor. */\nhidden byte shown[MONITORS * MONITORS] = { " + shown + " };\n";
+}
+
+std::string coordination(const Subject& s) {
+  std::string covered;
+  for (std::size_t i = 0; i < s.shown.size(); ++i) {
     covered += (i == 0 ? "" : ", ") + num(is_covered(s, i) ? 1 : 0);
   }
-  return "/* What the recovery of a row is shown to keep, to coordinate by; 2: its own monitor. "
-         "*/\n"
-         "hidden byte shown[MONITORS * MONITORS] = { " +
-         shown +
-         " };\n/* Monitors that no circle of recoveries leads to. */\n"
+  return "/* Monitors that no circle of recoveries leads to. */\n"
          "hidden byte covered[MONITORS] = { " +
          covered + " };\n";
 }
@@ -132,6 +137,7 @@ std::string numbers(const Subject& s, const Arbitration& a) {
   text += table("settles",
                 "Where the recovery of the row may return, the monitor of the column could too.",
                 a.settles, s);
+  if (!s.shown.empty()) text += table_shown(s);
   if (s.coordinated) text += coordination(s);
   return text + "\n" + says("say_monitor", monitors) + says("say_driver", drivers) + "\n";
 }
@@ -158,15 +164,43 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
+// Before the text of what a monitor does with what is found of it, which takes a note for `part`.
+void take_notes(std::string& rules, const std::string& part) {
+  rules = replaced(rules, "inline judge(m) {\n", "inline judge(m) {\n  note(m);\n");
+  const std::size_t judged = rules.find("/* `monitor_step` of the kernel. */");
+  rules.insert(judged, part + "\n");
+}
+
+// By priority, with recoveries that drive on.
+void drive_on(Model& model) {
+  std::string& rules = model.rules;
+  take_notes(rules, drives_on_text);
+  rules = replaced(rules, "inline decide() {\n  find_highest();\n",
+                   "inline decide() {\n  find_highest();\n  find_going_on();\n");
+  rules = replaced(rules, "  :: highest != NOBODY -> mode = highest + 1\n",
+                   "  :: highest != NOBODY && goes_on -> mode = before\n"
+                   "  :: highest != NOBODY && !goes_on -> mode = highest + 1\n");
+  std::string& environment = model.environment;
+  environment =
+      replaced(environment, "  if\n  :: highest != NOBODY && !drives[highest + 1] -> waiting++",
+               "  find_excuse();\n"
+               "  if\n  :: highest != NOBODY && !drives[highest + 1] && !excused -> waiting++");
+  environment =
+      replaced(environment, "  home = 0;\n", "  home = 0;\n  goes_on = 0;\n  excused = 0;\n");
+  model.claims = replaced(
+      model.claims,
+      "/* The recovery of the highest engaged monitor drives before its look-ahead has passed. */",
+      "/* The recovery of the highest engaged monitor drives before its look-ahead has passed, or one\n"
+      " * that is shown to keep each that ranks above its own. */");
+}
+
 // Where a decision that coordinates differs from one by priority.
 void coordinate(Model& model) {
   std::string& rules = model.rules;
-  rules = replaced(rules, "inline judge(m) {\n", "inline judge(m) {\n  note(m);\n");
+  take_notes(rules, coordinate_text);
   rules =
       replaced(rules, "highest != NOBODY -> mode = highest + 1", "highest != NOBODY -> choose()");
   rules = replaced(rules, "     mode = open + 1\n", "     choose()\n");
-  const std::size_t judged = rules.find("/* `monitor_step` of the kernel. */");
-  rules.insert(judged, std::string(coordinate_text) + "\n");
   std::string& environment = model.environment;
   environment = replaced(environment, "inline clear_check() {",
                          std::string(coordinate_environment_text + 1) + "\ninline clear_check() {");
@@ -230,7 +264,11 @@ Model protocol_model(const Subject& s, const Arbitration& arbitration, const std
   model.claim_names = {"one_controller", "scheduled", "given_back", "no_livelock",
                        "control_returns"};
   model.coordinated = s.coordinated;
-  if (s.coordinated) coordinate(model);
+  if (s.coordinated) {
+    coordinate(model);
+  } else if (!s.shown.empty()) {
+    drive_on(model);
+  }
   return model;
 }
 

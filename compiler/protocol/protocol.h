@@ -25,7 +25,8 @@ struct Subject {
   bool promises = false;           // robots promise each other to stay
   std::int64_t surrenders_to = 1;  // who drives when control is given up: 1 + index of a monitor
   std::vector<Monitor> monitors;   // highest first
-  // It coordinates: by what the recovery of a row is shown to keep of a column; 2: its own monitor.
+  // What the recovery of a row is shown to keep of a column; 2: its own monitor. By that it
+  // coordinates, or a recovery drives on; empty: none does.
   bool coordinated = false;
   std::vector<std::vector<int>> shown;
 };

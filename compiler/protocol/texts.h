@@ -7,7 +7,9 @@ extern const char* const rules_text;        // what a tick of decision and plan 
 extern const char* const environment_text;  // what may happen
 extern const char* const story_text;        // what a run is told as
 extern const char* const claims_text;       // what is claimed
-// Of decisions that coordinate: what comes in addition.
+// Of decisions with recoveries that drive on: what comes in addition.
+extern const char* const drives_on_text;
+// Of decisions that coordinate: the same.
 extern const char* const coordinate_text;
 extern const char* const coordinate_environment_text;
 // Of decisions on a plan.

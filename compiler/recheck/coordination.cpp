@@ -38,6 +38,44 @@ bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& 
   });
 }
 
+namespace {
+
+bool is_of_the_robot_alone(const sema::Spec& spec, const sema::Expr& property) {
+  const auto is_known = [&](sema::ZoneId zone) {
+    return !std::holds_alternative<sema::ZoneReceived>(spec[zone].value->node);
+  };
+  bool alone = true;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    if (const auto* signal = std::get_if<sema::SignalRef>(&e.node)) {
+      alone = alone && (signal->signal == sema::Signal::altitude ||
+                        signal->signal == sema::Signal::speed);
+    } else if (const auto* inside = std::get_if<sema::InsideZone>(&e.node)) {
+      alone = alone && is_known(inside->zone);
+    } else if (const auto* clearance = std::get_if<sema::Clearance>(&e.node)) {
+      alone = alone && is_known(clearance->zone);
+    } else {
+      alone = alone && (std::holds_alternative<sema::Constant>(e.node) ||
+                        std::holds_alternative<sema::ParamRef>(e.node) ||
+                        std::holds_alternative<sema::Arithmetic>(e.node) ||
+                        std::holds_alternative<sema::Compare>(e.node) ||
+                        std::holds_alternative<sema::Logic>(e.node) ||
+                        std::holds_alternative<sema::Math>(e.node));
+    }
+  });
+  return alone;
+}
+
+}  // namespace
+
+bool drives_on(const sema::Spec& spec, const sema::Decision& d, const Part& part,
+               const sema::Monitor& driving, const sema::Monitor& judged) {
+  const auto rank = [&](const sema::Monitor& m) {
+    return std::ranges::find_if(d.priority, [&](sema::MonitorId id) { return &spec[id] == &m; });
+  };
+  return rank(judged) < rank(driving) && is_of_the_robot_alone(spec, *judged.always) &&
+         shown_to_keep(spec, d, part, driving, judged);
+}
+
 bool in_circle(const sema::Spec& spec, const sema::Decision& d, const Part& part,
                const sema::Monitor& judged) {
   std::vector<const sema::Monitor*> left;

@@ -103,14 +103,18 @@ class Turns {
     }
     if (!d_.on_plan) s.surrenders_to = gives_way();
     s.coordinated = d_.coordinated && !d_.on_plan;
-    for (std::size_t i = 0; s.coordinated && i < d_.priority.size(); ++i) {
+    bool any = s.coordinated;
+    for (std::size_t i = 0; !s.on_plan && i < d_.priority.size(); ++i) {
       s.shown.emplace_back();
       for (std::size_t j = 0; j < d_.priority.size(); ++j) {
         const bool own = monitor(i).recover == monitor(j).recover;
-        const bool shown = shown_to_keep(spec_, d_, part_, monitor(i), monitor(j));
+        const bool shown = (s.coordinated ? shown_to_keep : drives_on)(spec_, d_, part_, monitor(i),
+                                                                       monitor(j));
+        any = any || (shown && !own);
         s.shown.back().push_back(own ? 2 : shown ? 1 : 0);
       }
     }
+    if (!any) s.shown.clear();
     return s;
   }
 

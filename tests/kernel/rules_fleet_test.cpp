@@ -113,7 +113,7 @@ TEST(Lease, IsNotGivenInTheTickOfATakeover) {
   GuardScene s;
   s.battery = 0.03;
   ASSERT_EQ(s.tick().mode, charge + 1);
-  s.at = {0.2, 5};
+  s.at = {0.12, 5};
   EXPECT_EQ(s.tick(true).lease_end_us, never_us);
 }
 
@@ -138,7 +138,7 @@ TEST(Lease, BindsAHigherRecoveryToo) {
   s.battery = 0.03;
   s.tick();
   ASSERT_NE(s.tick(true).lease_end_us, never_us);
-  s.at = {0.2, 5};
+  s.at = {0.12, 5};
   const DecisionRecord& r = s.tick();
   ASSERT_EQ(r.mode, fence + 1);
   EXPECT_EQ(r.gate, Gate::hold);

@@ -97,13 +97,75 @@ TEST(Rule10, AHigherMonitorPreempts) {
   GuardScene s;
   s.battery = 0.03;
   ASSERT_EQ(s.tick().mode, charge + 1);
-  s.at = {0.2, 5};
+  s.at = {0.12, 5};
   ASSERT_EQ(s.tick().mode, fence + 1);
   s.other[1] = {0.5, 5};
   const DecisionRecord& r = s.tick();
   EXPECT_EQ(r.mode, separation + 1);
   EXPECT_EQ(r.previous_mode, fence + 1);
   EXPECT_EQ(r.reason_other, 1);
+}
+
+// At 20 cm the fence cannot be looked ahead any more, under no motion; the way to the dock is shown
+// to keep it all the same.
+TEST(Rule10, ARecoveryThatIsShownToKeepAHigherMonitorDrivesOn) {
+  GuardScene s;
+  s.battery = 0.03;
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.at = {0.2, 5};
+  for (int i = 0; i < 20; ++i) {
+    const DecisionRecord& r = s.tick();
+    ASSERT_EQ(r.mode, charge + 1);
+    ASSERT_TRUE(r.monitors[fence].engaged);
+  }
+  // what it has recorded is looked after as soon as the charge suffices, here on its way
+  s.at = {1.5, 5};
+  s.battery = 0.95;
+  for (int i = 0; i < dwell_ticks; ++i) ASSERT_EQ(s.tick().mode, charge + 1);
+  const DecisionRecord& r = s.tick();
+  EXPECT_FALSE(r.monitors[charge].engaged);
+  EXPECT_EQ(r.mode, fence + 1);  // its `return when` takes a second
+}
+
+TEST(Rule10, ARecoveryDoesNotDriveOnWhereAHigherMonitorIsFalse) {
+  GuardScene s;
+  s.battery = 0.03;
+  s.tick();
+  s.at = {0.2, 5};
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.at = {0.12, 5};
+  const DecisionRecord& r = s.tick();
+  EXPECT_EQ(r.mode, fence + 1);
+  EXPECT_EQ(r.reason, Reason::violated);
+}
+
+TEST(Rule10, ARecoveryDoesNotDriveOnAfterAMissedTick) {
+  constexpr int either = 0, low = 1;
+  for (const TimeUs step_us : {TimeUs{50'000}, TimeUs{200'000}, TimeUs{-1'000}}) {
+    KiteScene s;
+    s.battery = 0.2;
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(s.tick().mode, low + 1);
+    s.now_us += step_us - 50'000;
+    EXPECT_EQ(s.tick().mode, step_us == 50'000 ? low + 1 : either + 1) << step_us;
+  }
+}
+
+TEST(Rule10, ARecoveryDoesNotDriveOnThatHasNotDriven) {
+  // Both engage at once.
+  GuardScene s;
+  ASSERT_TRUE(s.tick().advanced());
+  s.at = {0.2, 5};
+  s.battery = 0.03;
+  EXPECT_EQ(s.tick().mode, fence + 1);
+}
+
+// Others come near of themselves.
+TEST(Rule10, ARecoveryDoesNotDriveOnBeforeOthers) {
+  GuardScene s;
+  s.battery = 0.03;
+  ASSERT_EQ(s.tick().mode, charge + 1);
+  s.other[1] = {5.5, 5};
+  EXPECT_EQ(s.tick().mode, separation + 1);
 }
 
 TEST(Rule10, ALowerMonitorEngagesWhileAHigherOneDrives) {

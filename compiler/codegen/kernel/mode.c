@@ -168,18 +168,40 @@ static int32_t first_not_safer(const check *checks, int32_t count) {
   }
   return -1;
 }
+/*= drives_on : check_type verdict_of */
+/* Whether a recovery that drives goes on, though a monitor that ranks higher is engaged: its own
+ * monitor is, too, and it is shown to keep each such monitor (1 in `keeps`, its row), none of which
+ * is false. */
+static int32_t drives_on(const KERNEL_monitor *monitors, const check *checks, const int32_t *keeps,
+                         int32_t own) {
+  int32_t j;
+  for (j = 0; j < own; ++j) {
+    if (monitors[j].engaged != 0 && (keeps[j] != 1 || verdict_of(checks[j].now) == VERDICT_FALSE)) {
+      return 0;
+    }
+  }
+  return monitors[own].engaged != 0;
+}
 /*= mode_step : check_type monitor_step first_engaged first_not_safer engage finding_of */
 /* The mode of this tick. `may_leave`: no lease promises that the robot stays. `surrender`: the mode
  * that the advanced side asks for because it gives control up, else 0. When no monitor is
  * engaged but one could not yet hand over, that one takes over, so that somebody works on it. */
-static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t count,
-                         int32_t mode, int32_t first, int64_t elapsed, int32_t dwell,
-                         int32_t surrender, int32_t may_leave) {
+/*? !drives_on */ static int32_t mode_step(KERNEL_monitor *monitors, const check *checks, int32_t count,
+/*? !drives_on */                          int32_t mode, int32_t first, int64_t elapsed, int32_t dwell,
+/*? !drives_on */                          int32_t surrender, int32_t may_leave) {
+/*? drives_on */ static int32_t mode_step(KERNEL_monitor *monitors, const check *checks,
+/*? drives_on */                          const int32_t *keeps, int32_t count, int32_t mode,
+/*? drives_on */                          int32_t first, int64_t elapsed, int32_t dwell,
+/*? drives_on */                          int32_t surrender, int32_t may_leave) {
   int32_t k, open;
   for (k = 0; k < count; ++k) {
     monitor_step(&monitors[k], &checks[k], first, elapsed, dwell);
   }
   k = first_engaged(monitors, count);
+  /*? drives_on */ if (k >= 0 && mode > 0 && first == 0 && elapsed >= 0 && elapsed <= 1 &&
+  /*? drives_on */     drives_on(monitors, checks, keeps + (mode - 1) * count, mode - 1)) {
+  /*? drives_on */   return mode;
+  /*? drives_on */ }
   if (k >= 0) {
     return k + 1;
   }

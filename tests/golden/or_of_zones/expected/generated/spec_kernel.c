@@ -945,17 +945,36 @@ static int32_t first_not_safer(const check *checks, int32_t count) {
   return -1;
 }
 
+/* Whether a recovery that drives goes on, though a monitor that ranks higher is engaged: its own
+ * monitor is, too, and it is shown to keep each such monitor (1 in `keeps`, its row), none of which
+ * is false. */
+static int32_t drives_on(const or_of_zones_monitor *monitors, const check *checks, const int32_t *keeps,
+                         int32_t own) {
+  int32_t j;
+  for (j = 0; j < own; ++j) {
+    if (monitors[j].engaged != 0 && (keeps[j] != 1 || verdict_of(checks[j].now) == OR_OF_ZONES_VERDICT_FALSE)) {
+      return 0;
+    }
+  }
+  return monitors[own].engaged != 0;
+}
+
 /* The mode of this tick. `may_leave`: no lease promises that the robot stays. `surrender`: the mode
  * that the advanced side asks for because it gives control up, else 0. When no monitor is
  * engaged but one could not yet hand over, that one takes over, so that somebody works on it. */
-static int32_t mode_step(or_of_zones_monitor *monitors, const check *checks, int32_t count,
-                         int32_t mode, int32_t first, int64_t elapsed, int32_t dwell,
+static int32_t mode_step(or_of_zones_monitor *monitors, const check *checks,
+                         const int32_t *keeps, int32_t count, int32_t mode,
+                         int32_t first, int64_t elapsed, int32_t dwell,
                          int32_t surrender, int32_t may_leave) {
   int32_t k, open;
   for (k = 0; k < count; ++k) {
     monitor_step(&monitors[k], &checks[k], first, elapsed, dwell);
   }
   k = first_engaged(monitors, count);
+  if (k >= 0 && mode > 0 && first == 0 && elapsed >= 0 && elapsed <= 1 &&
+      drives_on(monitors, checks, keeps + (mode - 1) * count, mode - 1)) {
+    return mode;
+  }
   if (k >= 0) {
     return k + 1;
   }
@@ -1032,6 +1051,12 @@ static const motion MOTIONS[] = {
   {1000, 1000, 0}, /* any */
   {321, 1000, 1}, /* back_off */
   {121, 1000, 1} /* back_off_slowly */
+};
+/* What is shown to keep what, so that it drives on. Row: a recovery, column: a monitor; 0: not
+ * shown, or ranking lower, 1: shown, 2: its own recovery. */
+static const int32_t fly_keeps[] = {
+  2, 0, /* back_off */
+  1, 2 /* back_off_slowly */
 };
 /* From the decision until its recovery acts: look-ahead and latency, us. */
 static const int64_t fly_horizons_us[] = {120000};
@@ -1235,7 +1260,7 @@ void or_of_zones_fly_step(or_of_zones_fly_state *s, const or_of_zones_fly_in *in
   seen_us = v.self.input == OR_OF_ZONES_INPUT_NONE ? in->position.stamp_us : INT64_MIN;
   v.driver = driver_of(&s->takeover, MOTIONS, before, seen_us, 20000);
   fly_check(&v, before, back, checks);
-  s->mode = mode_step(s->monitors, checks, MONITORS, before, first, elapsed, 1,
+  s->mode = mode_step(s->monitors, checks, fly_keeps, MONITORS, before, first, elapsed, 1,
                       in->surrender ? 1 : 0, may_leave);
   if (first || s->mode != before) {
     s->takeover.before = first ? 0 : v.driver;
