@@ -37,6 +37,14 @@ void no_noise(Decision& d) {
   no_position_error(d);
   no_velocity_error(d);
 }
+void no_disturbance(Decision& d) {
+  const std::int64_t pushed_mmps2 = d.body.disturbance_mmps2;
+  for (Motion& m : d.motions) m.accel_mmps2 = std::max<std::int64_t>(1, m.accel_mmps2 - pushed_mmps2);
+  d.body.accel_mmps2 = d.motions[0].accel_mmps2;
+  // of a hold of 2 rad/s: d / omega^2
+  d.body.hold_mm = std::max<std::int64_t>(0, d.body.hold_mm - pushed_mmps2 / 4);
+  d.body.disturbance_mmps2 = 0;
+}
 void no_radius(Decision& d) {
   d.body.radius_mm = 0;
 }
@@ -78,6 +86,9 @@ void unchecked(Recovery& r) {
 bool has_ages(const Decision& d) {
   return d.body.position_age_us > 0 || d.body.velocity_age_us > 0;
 }
+bool is_pushed(const Decision& d) {
+  return d.body.disturbance_mmps2 > 0;
+}
 bool has_several(const Decision& d) {
   return d.monitors.size() > 1;
 }
@@ -117,6 +128,7 @@ const std::vector<Mutant>& mutants() {
         {"by_accel + braked_mm(s->speed_mmps + s1, drift, b)", "by_accel + 0 * drift"}}},
       {"strong-brake", "it brakes twice as hard as is declared", strong_brake, {}},
       {"no-tube", "the brake follows its ideal path", no_tube, {}},
+      {"no-disturbance", "nothing pushes the robot", no_disturbance, {}, nullptr, is_pushed},
       {"no-radius", "robots are points", no_radius, {}},
       {"no-acceleration", "the speed stays what it is", no_acceleration, {}},
       {"measured-speed-is-the-most",

@@ -161,7 +161,7 @@ constexpr CommandText command_texts[] = {
      "everything, measurements are as false, old and lossy as is declared.\n"
      "Runs are the same on every machine. Adversaries: `bang-bang`, `chase-fence`, `chase-robot`,\n"
      "`drain`, `follow-plans`, `aimed-noise`, `fresh-samples`, `unequal-samples`,\n"
-     "`wandering-samples`, `drop-outs`, `lasting-errors`, and only when it is named\n"
+     "`wandering-samples`, `drop-outs`, `lasting-errors`, `gusts`, and only when it is named\n"
      "`push-at-fence`.\n"
      "\n"
      "The first run with a violation is written to a file, which `--replay` plays again to the "

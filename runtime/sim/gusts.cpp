@@ -17,20 +17,28 @@ Eigen::Vector3d Gusts::direction(const Eigen::Vector3d& velocity) const {
   return {-along.y(), along.x(), 0};
 }
 
-void Gusts::blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s) {
-  if (now_us >= until_us_) {
-    constexpr std::int64_t shortest_us = 200'000, longest_us = 5'000'000;
-    until_us_ = lasting_ ? std::numeric_limits<TimeUs>::max()
-                         : now_us + shortest_us + random_.below(longest_us - shortest_us);
-    style_ = lasting_ ? 0 : random_.below(3);
-    if (limits.in_space) {
-      const Vec3 from = random_.on_sphere(1);
-      steady_ = {from.x, from.y, from.z};
-    } else {
-      const Vec2 from = random_.on_circle(1);
-      steady_ = {from.x, from.y, 0};
-    }
+void Gusts::turn(const RobotLimits& limits, TimeUs now_us) {
+  constexpr TimeUs aimed_us = 20'000, shortest_us = 200'000, longest_us = 5'000'000;
+  if (aim_) {
+    until_us_ = now_us + aimed_us;
+    const Vec3 to = aim_();
+    steady_ = {to.x, to.y, limits.in_space ? to.z : 0};
+    return;
   }
+  until_us_ = lasting_ ? std::numeric_limits<TimeUs>::max()
+                       : now_us + shortest_us + random_.below(longest_us - shortest_us);
+  style_ = lasting_ ? 0 : random_.below(3);
+  if (limits.in_space) {
+    const Vec3 from = random_.on_sphere(1);
+    steady_ = {from.x, from.y, from.z};
+  } else {
+    const Vec2 from = random_.on_circle(1);
+    steady_ = {from.x, from.y, 0};
+  }
+}
+
+void Gusts::blow(Body& body, const RobotLimits& limits, TimeUs now_us, double dt_s) {
+  if (now_us >= until_us_) turn(limits, now_us);
   const Eigen::Vector3d push = limits.disturbance_mps2 * direction(body.velocity);
   Eigen::Vector3d next = body.velocity + dt_s * push;
   const double speed = next.norm();

@@ -78,6 +78,11 @@ struct Senses {
   Random odometry;  // of announcements
 };
 
+std::function<Vec3()> wind_at(const WorldOptions& options, int robot) {
+  if (!options.wind) return nullptr;
+  return [wind = options.wind, robot] { return wind(robot); };
+}
+
 template <class Output>
 struct Agent {
   Agent(const RobotSetup& given, const TruthState& truth, const WorldOptions& options,
@@ -85,7 +90,8 @@ struct Agent {
       : setup(given),
         commands(options.commands_max),
         senses(given, truth, options, robot),
-        gusts(Random::stream(options.seed, robot, 6), options.lasting_gusts) {
+        gusts(Random::stream(options.seed, robot, 6), options.lasting_gusts,
+              wind_at(options, static_cast<int>(robot))) {
     body.position = {truth.position.x, truth.position.y, truth.height_m};
     body.heading_rad = truth.heading_rad;
   }

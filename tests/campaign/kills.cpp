@@ -49,6 +49,7 @@ const std::vector<Row>& kill_table() {
       {"no-position-error", "drifter", "aimed-noise", 20},
       {"no-velocity-error", "swayer", "aimed-noise", 20},
       {"no-noise", "drifter", "aimed-noise", 20},
+      {"no-disturbance", "leaf", "gusts", 20},
       {"no-radius", "glider", "aimed-noise", 20},
       {"no-tube", "late_brake", "aimed-noise", 20},
       {"or-for-and", "two_halls", "chase-fence", 20},

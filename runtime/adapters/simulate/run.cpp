@@ -284,13 +284,16 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   options.noise = sim::NoiseModel::none;
   options.lasting_gusts = setup.hostility.noise == sim::Noise::lasting;
   options.commands_max = commands_under_way(decision, setup);
-  sim::World<Output> world(bodies(decision, setup), options);
   sim::Surroundings surroundings = decision.surroundings;
   std::vector<bool> standing(decision.robots.size(), false);
   surroundings.told_to_stand = &standing;
+  Arena arena(surroundings, decision.properties, decision.limits, robots);
+  if (setup.adversary != nullptr && setup.adversary->aims_wind) {
+    options.wind = [&](int robot) { return arena.threat(robot, setup.adversary->aim).direction; };
+  }
+  sim::World<Output> world(bodies(decision, setup), options);
   sim::Crowd crowd(decision.agents, decision.properties, surroundings, world.truths(),
                    setup.hostility, setup.seed, tape);
-  Arena arena(surroundings, decision.properties, decision.limits, robots);
   arena.watch(world.truths());
   sim::Referee referee(surroundings, decision.properties, robots, setup.about);
   Blame blame(decision.robots.size(), decision.monitors.size());

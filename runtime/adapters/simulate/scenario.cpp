@@ -219,6 +219,8 @@ const std::vector<Adversary>& adversaries() {
        "the same, and samples are lost or are no numbers"},
       {"lasting-errors", Drive::chase, Aim::anything, Noise::lasting, Ages::oldest, 0,
        "the same with errors and a wind that stay as they are for the whole run"},
+      {"gusts", Drive::chase, Aim::anything, Noise::aimed, Ages::oldest, 0,
+       "the same, and what pushes the robot drives it there, braking and at rest too", false, true},
   };
   return all;
 }
@@ -232,11 +234,13 @@ const Adversary* find_adversary(const std::string& name) {
 
 namespace {
 
-// Some property speaks of what it aims at; else the robot would stand.
+// Some property speaks of what it aims at; else the robot would stand. And something pushes a robot
+// that wind is aimed at.
 bool finds_its_aim(const DecisionCase& decision, const Adversary& a) {
   const auto speaks_of = [&](PropertyOp one, PropertyOp other) {
     return has(decision, one) || has(decision, other);
   };
+  if (a.aims_wind && decision.limits.disturbance_mps2 <= 0) return false;
   if (a.aim == Aim::fence) return speaks_of(PropertyOp::inside, PropertyOp::clearance);
   if (a.aim == Aim::charge) return speaks_of(PropertyOp::battery, PropertyOp::energy_to);
   if (a.aim == Aim::robot) return speaks_of(PropertyOp::distance, PropertyOp::agent_distance);
@@ -374,8 +378,10 @@ Problem check_aims(const Scenario& scenario, const Case& all) {
     for (const Adversary& a : adversaries()) {
       if (!aimless(a.name, robot)) fit.emplace_back(a.name);
     }
-    return {"`" + name + "` has nothing to aim at: no property " +
-                (robot.empty() ? "" : "of `" + robot + "` ") + "speaks of that",
+    const std::string of = robot.empty() ? "" : "of `" + robot + "` ";
+    return {find_adversary(name)->aims_wind
+                ? "`" + name + "` has nothing to push: no motion " + of + "has a `disturbance`"
+                : "`" + name + "` has nothing to aim at: no property " + of + "speaks of that",
             "there are " + listed(fit)};
   }
   return {};

@@ -24,6 +24,7 @@ struct Adversary {
   TimeUs fault_every_us;
   const char* about;
   bool by_name_only = false;  // it measures rather than attacks, and takes no turn
+  bool aims_wind = false;     // so does what pushes the robots
 };
 const std::vector<Adversary>& adversaries();
 const Adversary* find_adversary(const std::string& name);

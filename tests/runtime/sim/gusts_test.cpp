@@ -57,6 +57,22 @@ TEST(Gusts, LastForTheWholeRunWhereTheyAreAskedTo) {
   EXPECT_LT(drift(push_mps2, 3).moved_m, 0.9 * far_m);
 }
 
+// The same way, as long as that is where they are aimed.
+TEST(Gusts, BlowToWhereTheyAreAimed) {
+  RobotLimits limits = drone_limits();
+  limits.disturbance_mps2 = 0.3;
+  Vec3 aim{0, -1, 0};
+  WorldOptions options;
+  options.wind = [&](int) { return aim; };
+  World<Acceleration> world({robot_at(limits, {0, 0})}, options);
+  EXPECT_TRUE(world.wait_until(2 * s));
+  EXPECT_NEAR(world.truth(0).velocity.y, -0.6, 1e-9);
+  EXPECT_EQ(world.truth(0).velocity.x, 0);
+  aim = {0, 1, 0};
+  EXPECT_TRUE(world.wait_until(4 * s));
+  EXPECT_NEAR(world.truth(0).velocity.y, 0, 0.3 * 0.02 + 1e-9);  // turned within 20 ms
+}
+
 TEST(Gusts, LeaveEverybodyElseAlone) {
   EXPECT_EQ(drift(0, 1).moved_m, 0);
 }

@@ -39,6 +39,18 @@ TEST(Adversaries, AimAtWhatPropertiesSay) {
   EXPECT_EQ(names.count("drain"), 0u);
 }
 
+// Nobody is pushed who has declared no disturbance.
+TEST(Adversaries, PushRobotsThatAreDisturbedAlone) {
+  const auto pushes = [](double disturbance_mps2) {
+    DecisionCase decision;
+    decision.limits.disturbance_mps2 = disturbance_mps2;
+    const auto all = applicable(decision, {});
+    return std::any_of(all.begin(), all.end(), [](const Adversary* a) { return a->aims_wind; });
+  };
+  EXPECT_TRUE(pushes(0.1));
+  EXPECT_FALSE(pushes(0));
+}
+
 // Nothing stops a robot that coasts and does not see it: such samples have to be asked for.
 TEST(Adversaries, LoseSamplesOfRobotsThatStopBlindAlone) {
   const auto loses = [](bool twist, const Scenario& scenario) {
