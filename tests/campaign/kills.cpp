@@ -54,6 +54,7 @@ const std::vector<Row>& kill_table() {
       {"no-tube", "late_brake", "aimed-noise", 20},
       {"or-for-and", "two_halls", "chase-fence", 20},
       {"lowest-priority-drives", "order", "chase-fence", 20, "order.json"},
+      {"never-gives-way", "order", "chase-fence", 20, "order.json"},
       {"shortest-prefix-drives", "shortest", "chase-fence", 20, "order.json"},
       {"points-only", "legs", "follow-plans", 20},
       {"no-message-age", "pair", "chase-robot", 20},
