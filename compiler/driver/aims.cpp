@@ -155,11 +155,13 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
   deaf["deaf_from_s"] = 5;
   deaf["runs"] = 4;
   for (const verify::Start& start : o.starts) all.push_back(aimed_at_start(o, start, robots));
+  std::vector<Scenario> rests;
+  if (o.kind == Kind::keeps && o.monitor == charge) rests = aimed_at_rest(o, robots);
+  // first where it is known that nobody is given back
+  if (o.place_mm) all.insert(all.end(), rests.begin(), rests.end());
   all.push_back(std::move(anywhere));
   all.push_back(std::move(tight));
-  if (o.kind == Kind::keeps && o.monitor == charge) {
-    for (Scenario& rests : aimed_at_rest(o, robots)) all.push_back(std::move(rests));
-  }
+  if (!o.place_mm) all.insert(all.end(), rests.begin(), rests.end());
   if (robots.size() > 1) all.push_back(std::move(deaf));
   if (o.kind != Kind::p1a) return all;
   // its errors may be hidden by what other bounds have to spare
