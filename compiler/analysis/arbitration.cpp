@@ -607,12 +607,13 @@ bool is_of_the_robot_alone(const ir::Monitor& monitor) {
 }
 
 // With `priority` the matter of those alone that would else take over.
-Keeps drives_on(const sema::RobotKind& kind, const ir::Module& module,
-                const ir::Decision& decision, const ExactZone& exact, const ExactSolid& solid) {
-  Endings endings(kind, module, decision);
-  return keeps_of(decision, [&](std::size_t i, std::size_t j) {
-    return j < i && is_of_the_robot_alone(decision.monitors[j]) &&
-           !Pair(kind, module, decision, exact, solid, endings, i, j, true).broken();
+Keeps drives_on(const Decided& of, const ExactZone& exact, const ExactSolid& solid) {
+  const sema::RobotKind& kind = of.spec[of.written.kind];
+  Endings endings(kind, of.module, of.decision);
+  return keeps_of(of.decision, [&](std::size_t i, std::size_t j) {
+    return j < i && is_of_the_robot_alone(of.decision.monitors[j]) &&
+           keeps_speed_limits(of, i, j) &&
+           !Pair(kind, of.module, of.decision, exact, solid, endings, i, j, true).broken();
   });
 }
 
@@ -625,18 +626,19 @@ bool shows_any(const ir::Decision& decision) {
 }  // namespace
 
 void fill_keeps(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
-                const ExactSolid& solid) {
+                const ExactSolid& solid, const HowItLies& lies) {
   bool one_drives_on = false;
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     ir::Decision& decision = module.decisions[n];
-    const sema::RobotKind& kind = spec[spec.decisions[n].kind];
+    const sema::Decision& written = spec.decisions[n];
+    const Decided of{spec, written, module, decision, lies};
     if (decision.coordinated) {
-      const Arbitration all = arbitration_of(kind, module, decision, exact, solid);
+      const Arbitration all = arbitration_of(spec[written.kind], module, decision, exact, solid);
       decision.keeps = keeps_of(decision, [&](std::size_t i, std::size_t j) {
-        return all[i][j].keeping == Keeping::kept;
+        return all[i][j].keeping == Keeping::kept && keeps_speed_limits(of, i, j);
       });
     } else if (!decision.on_plan) {
-      decision.keeps = drives_on(kind, module, decision, exact, solid);
+      decision.keeps = drives_on(of, exact, solid);
       one_drives_on = one_drives_on || shows_any(decision);
     }
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/decided.h"
 #include "compiler/analysis/recoveries.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/zone_trials.h"
@@ -77,7 +78,7 @@ std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 // that rank above the recovery's own, and which it keeps by itself, so that it drives on though they
 // engage (rule 10). Where no decision by priority has any, theirs are empty.
 void fill_keeps(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
-                const ExactSolid& solid);
+                const ExactSolid& solid, const HowItLies& lies);
 
 // The errors of the specification with a change of one of its decisions, what is not shown of it,
 // and whether a monitor waits there for a return condition that may never come about.

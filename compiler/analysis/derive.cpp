@@ -125,7 +125,7 @@ class Deriver {
     check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
-    fill_keeps(spec_, out_.module, exact, solid);
+    fill_keeps(spec_, out_.module, exact, solid, lies_);
     const Try attempt = [this](std::size_t n, const Change& change) { return tried(n, change); };
     check_arbitration(spec_, out_.module, exact, solid, attempt, trials(), diagnostics_);
     check_acknowledgements(spec_, out_.module, exact, solid, lies_, diagnostics_);

@@ -631,22 +631,32 @@ bool inputs_decide(const Subject& s, const ir::Monitor& m,
   return says && told == 1 && says->yes && says->no;
 }
 
-// Where a monitor is engaged from the start on, beside a boundary, and its recovery leads to where it
-// waits for ever; or that place.
-std::optional<std::pair<std::int64_t, std::int64_t>> engaged_before_it_waits(const Subject& s,
-                                                                             const ir::Monitor& m) {
+// Where a monitor is engaged from the start on: at rest beside a boundary of the zone that its
+// recovery moves within, nearer than control is given back.
+std::optional<std::pair<std::int64_t, std::int64_t>> engaged_at(const Subject& s,
+                                                                const ir::Monitor& m) {
+  namespace outline = analysis::outline;
   constexpr double spare_mm = 10;
-  const auto& waits = m.returns.stuck_mm;
   const ir::Body& b = s.decision.body;
   const ir::Recovery& last = ir::last_step(m.recovery);
-  if (!waits || !ir::moves(last.kind)) return waits;
-  const analysis::outline::P to{double(waits->first), double(waits->second)};
-  const auto nearest = analysis::outline::Outline::of(s.module[last.zone]).nearest(to);
-  const double far = analysis::outline::norm(to - nearest);
   const double near = double(b.radius_mm + b.hold_mm + b.position_error_mm) + spare_mm;
-  if (near >= far) return waits;
-  const analysis::outline::P at = nearest + (near / far) * (to - nearest);
-  return std::pair(std::int64_t(at.x), std::int64_t(at.y));
+  if (!ir::moves(last.kind) || near >= double(last.return_clearance_mm)) return std::nullopt;
+  const outline::Outline zone = outline::Outline::of(s.module[last.zone]);
+  std::optional<outline::P> found;
+  double longest = 0;
+  for (const outline::Segment& edge : zone.edges()) {
+    const outline::P along = edge.b - edge.a;
+    const double length = outline::norm(along);
+    for (const double side : {-1.0, 1.0}) {
+      const outline::P inwards{-side * along.y / length, side * along.x / length};
+      const outline::P at = edge.a + 0.5 * along + near * inwards;
+      if (length <= longest || zone.clearance(at) < near - 1) continue;
+      longest = length;
+      found = at;
+    }
+  }
+  if (!found) return std::nullopt;
+  return std::pair(std::int64_t(found->x), std::int64_t(found->y));
 }
 
 // The matrix says that it may become false, and that nobody takes over in time.
@@ -666,7 +676,8 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   // what inputs may ask for, nobody has to drive to
   o.by_a_run = !entry.while_told;
   o.starts = starts_of_damage(s, driving, judged);
-  o.place_mm = engaged_before_it_waits(s, i);
+  if (atoms_of(j.property).charge) o.place_mm = engaged_at(s, i);
+  if (!o.place_mm) o.place_mm = i.returns.stuck_mm;  // it waits there for ever
   if (entry.unending) {
     o.by_a_run = false;
     o.because += "; whoever keeps " + quoted(i.name) +
