@@ -1,4 +1,6 @@
 // `rtac verify`: what is proved, acknowledged, unknown and refuted, and its exit codes.
+#include <set>
+
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
@@ -685,6 +687,19 @@ TEST_F(Verify, WhatWorksForOneMonitorIsSaidOfAllTogether) {
   }
   EXPECT_NE(own.find("`grow(lane, "), std::string::npos) << o.out;
   EXPECT_EQ(together, own);
+}
+
+// A test that has another name now would never take a turn.
+TEST(SlowTests, AreThere) {
+  const auto& unit = *::testing::UnitTest::GetInstance();
+  std::set<std::string> names;
+  for (int i = 0; i < unit.total_test_suite_count(); ++i) {
+    const ::testing::TestSuite& suite = *unit.GetTestSuite(i);
+    for (int k = 0; k < suite.total_test_count(); ++k) {
+      names.insert(std::string(suite.name()) + "." + suite.GetTestInfo(k)->name());
+    }
+  }
+  for (const std::string& name : slow_tests()) EXPECT_EQ(names.count(name), 1U) << name;
 }
 
 }  // namespace
