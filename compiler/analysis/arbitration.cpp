@@ -599,8 +599,9 @@ bool is_of_the_robot_alone(const ir::Monitor& monitor) {
   bool alone = true;
   ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
     for (const auto& [leaf, coefficient] : ir::linear_form(block, c).terms) {
-      alone = alone && (leaf.kind == ir::Leaf::Kind::clearance ||
-                        leaf.kind == ir::Leaf::Kind::altitude || leaf.kind == ir::Leaf::Kind::speed);
+      alone =
+          alone && (leaf.kind == ir::Leaf::Kind::clearance ||
+                    leaf.kind == ir::Leaf::Kind::altitude || leaf.kind == ir::Leaf::Kind::speed);
     }
   });
   return alone;

@@ -75,8 +75,8 @@ std::vector<std::size_t> conflict_of(const std::vector<std::vector<bool>>& unkep
 std::string conflict_text(const ir::Decision& decision, const Entry& entry);
 
 // Fills the matrices of decisions: the whole of one that coordinates; with `priority` of monitors
-// that rank above the recovery's own, and which it keeps by itself, so that it drives on though they
-// engage (rule 10). Where no decision by priority has any, theirs are empty.
+// that rank above the recovery's own, and which it keeps by itself, so that it drives on though
+// they engage (rule 10). Where no decision by priority has any, theirs are empty.
 void fill_keeps(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
                 const ExactSolid& solid, const HowItLies& lies);
 

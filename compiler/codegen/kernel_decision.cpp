@@ -184,11 +184,10 @@ void DecisionPrinter::print_constants() {
 }
 
 void DecisionPrinter::print_keeps() {
-  out_.comment(
-      "What is shown to keep what, " +
-      std::string(d_.coordinated ? "to coordinate by" : "so that it drives on") +
-      ". Row: a recovery, column: a monitor; 0: not shown" +
-      (d_.coordinated ? "" : ", or ranking lower") + ", 1: shown, 2: its own recovery.");
+  out_.comment("What is shown to keep what, " +
+               std::string(d_.coordinated ? "to coordinate by" : "so that it drives on") +
+               ". Row: a recovery, column: a monitor; 0: not shown" +
+               (d_.coordinated ? "" : ", or ranking lower") + ", 1: shown, 2: its own recovery.");
   out_.block(
       "static const int32_t " + id_ + "_keeps[] =",
       [&](Code& to) {

@@ -39,7 +39,8 @@ void no_noise(Decision& d) {
 }
 void no_disturbance(Decision& d) {
   const std::int64_t pushed_mmps2 = d.body.disturbance_mmps2;
-  for (Motion& m : d.motions) m.accel_mmps2 = std::max<std::int64_t>(1, m.accel_mmps2 - pushed_mmps2);
+  for (Motion& m : d.motions)
+    m.accel_mmps2 = std::max<std::int64_t>(1, m.accel_mmps2 - pushed_mmps2);
   d.body.accel_mmps2 = d.motions[0].accel_mmps2;
   // of a hold of 2 rad/s: d / omega^2
   d.body.hold_mm = std::max<std::int64_t>(0, d.body.hold_mm - pushed_mmps2 / 4);

@@ -248,7 +248,8 @@ std::string step_contract(const DecisionFacts& f) {
     out += "/*? !drives_on */ ensures priority: " + at + ranks + ";\n";
     // what the arbitration proves of pairs stands in the table
     out += "/*? drives_on */ ensures priority: " + at + ranks +
-           " ||\n/*? drives_on */   (1 <= out->mode == out->previous_mode && $D_keeps[(out->mode - 1) * " +
+           " ||\n/*? drives_on */   (1 <= out->mode == out->previous_mode && $D_keeps[(out->mode - "
+           "1) * " +
            number(f.monitors.size()) + " + " + number(k) + "] == 1 && " + at +
            ".now != VERDICT_FALSE);\n";
     // The first step asks the longer look-ahead alone, which leaves no room for a violation.

@@ -8,7 +8,8 @@
 //   == after NAME       what follows stands behind the declaration of that type, table or macro
 //
 // Lines that begin with `/*? FUNCTION */` are of kernels that define the function, those with
-// `/*? !FUNCTION */` of those that do not. Lines that begin with # are comments. `KERNEL_` stands for the prefix of what a kernel declares.
+// `/*? !FUNCTION */` of those that do not. Lines that begin with # are comments. `KERNEL_` stands
+// for the prefix of what a kernel declares.
 #pragma once
 
 #include <map>

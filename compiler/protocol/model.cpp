@@ -190,7 +190,8 @@ void drive_on(Model& model) {
   model.claims = replaced(
       model.claims,
       "/* The recovery of the highest engaged monitor drives before its look-ahead has passed. */",
-      "/* The recovery of the highest engaged monitor drives before its look-ahead has passed, or one\n"
+      "/* The recovery of the highest engaged monitor drives before its look-ahead has passed, or "
+      "one\n"
       " * that is shown to keep each that ranks above its own. */");
 }
 

@@ -47,8 +47,8 @@ bool is_of_the_robot_alone(const sema::Spec& spec, const sema::Expr& property) {
   bool alone = true;
   sema::for_each_expr(property, [&](const sema::Expr& e) {
     if (const auto* signal = std::get_if<sema::SignalRef>(&e.node)) {
-      alone = alone && (signal->signal == sema::Signal::altitude ||
-                        signal->signal == sema::Signal::speed);
+      alone = alone &&
+              (signal->signal == sema::Signal::altitude || signal->signal == sema::Signal::speed);
     } else if (const auto* inside = std::get_if<sema::InsideZone>(&e.node)) {
       alone = alone && is_known(inside->zone);
     } else if (const auto* clearance = std::get_if<sema::Clearance>(&e.node)) {

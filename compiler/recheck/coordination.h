@@ -11,8 +11,8 @@ bool answers_to_inputs(const sema::Expr& property);
 // Proved of the recovery by itself, and not because another one takes over; or it is its own.
 bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& part,
                    const sema::Monitor& driving, const sema::Monitor& judged);
-// Rule 10: its recovery drives on though the other one, which ranks higher, is engaged. That is said
-// of zones, heights and speed alone.
+// Rule 10: its recovery drives on though the other one, which ranks higher, is engaged. That is
+// said of zones, heights and speed alone.
 bool drives_on(const sema::Spec& spec, const sema::Decision& d, const Part& part,
                const sema::Monitor& driving, const sema::Monitor& judged);
 // Among the monitor and those above it, does a circle of recoveries that are not shown to keep the

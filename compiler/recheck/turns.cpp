@@ -108,8 +108,8 @@ class Turns {
       s.shown.emplace_back();
       for (std::size_t j = 0; j < d_.priority.size(); ++j) {
         const bool own = monitor(i).recover == monitor(j).recover;
-        const bool shown = (s.coordinated ? shown_to_keep : drives_on)(spec_, d_, part_, monitor(i),
-                                                                       monitor(j));
+        const bool shown =
+            (s.coordinated ? shown_to_keep : drives_on)(spec_, d_, part_, monitor(i), monitor(j));
         any = any || (shown && !own);
         s.shown.back().push_back(own ? 2 : shown ? 1 : 0);
       }

@@ -66,7 +66,8 @@ class Damage {
     if (const auto moves_mm = moves_from_mm()) {
       // between where it is braked and where control is given back, by errors that it happens to
       // have
-      for (const double share : {0.8125, 0.875, 1.0, 0.75}) near_both(from, *moves_mm * share, 1, all);
+      for (const double share : {0.8125, 0.875, 1.0, 0.75})
+        near_both(from, *moves_mm * share, 1, all);
     }
     near_both(from, beside_mm, starts_most, all);
     return all;

@@ -10,8 +10,8 @@
 
 namespace rtac::sim {
 
-// A steady wind from anywhere, along the motion or across it: each for a while, by seed. Or one that
-// is aimed.
+// A steady wind from anywhere, along the motion or across it: each for a while, by seed. Or one
+// that is aimed.
 class Gusts {
  public:
   // `lasting`: a steady wind that never turns. `aim`: where it blows to, a unit vector, or none of

@@ -133,14 +133,14 @@ TEST(Model, AStateWithoutAnActiveControllerIsFound) {
 }
 // Planted: the executor keeps the recovery that drives, whatever else engages.
 TEST(Model, AnEngagedRecoveryThatNeverDrivesIsFound) {
-  const std::string story =
-      story_of("scheduled", "!goes_on -> mode = highest + 1",
-               "!goes_on -> mode = (before == 0 -> highest + 1 : before)");
+  const std::string story = story_of("scheduled", "!goes_on -> mode = highest + 1",
+                                     "!goes_on -> mode = (before == 0 -> highest + 1 : before)");
   EXPECT_NE(story.find("has not driven for 2 ticks: its look-ahead has passed"), std::string::npos)
       << story;
   EXPECT_NE(story.find("` is engaged, and `"), std::string::npos) << story;
 }
-// Planted: a recovery drives on that is not shown to keep what ranks higher; or though that is false.
+// Planted: a recovery drives on that is not shown to keep what ranks higher; or though that is
+// false.
 TEST(Model, ARecoveryThatDrivesOnWithoutBeingShownToIsFound) {
   for (const auto& [from, to] :
        {std::array{"shown[(before - 1) * MONITORS + column] == 1 && !false_now",

@@ -43,7 +43,7 @@ struct RobotSetup {
 struct WorldOptions {
   std::uint64_t seed = 1;
   NoiseModel noise = NoiseModel::uniform;
-  bool lasting_gusts = false;      // who is pushed is pushed from one side for the whole run
+  bool lasting_gusts = false;  // who is pushed is pushed from one side for the whole run
   // Where the wind drives a robot that is pushed, a unit vector; empty: gusts by seed.
   std::function<Vec3(int robot)> wind;
   TimeUs step_us = 1000;           // clamped to 1 .. 1000
