@@ -114,6 +114,7 @@ void Crowd::decide(std::size_t agent, TimeUs now_us) {
 }
 
 void Crowd::move(TimeUs now_us) {
+  if (agents_.empty()) return;
   const double time_s = now_us_ == never_us ? 0 : static_cast<double>(now_us - now_us_) * s_per_us;
   now_us_ = now_us;
   for (std::size_t k = 0; k < agents_.size(); ++k) {

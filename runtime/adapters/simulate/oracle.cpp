@@ -75,6 +75,13 @@ bool Oracle::settle(const std::vector<Moving>& robots) {
   return true;
 }
 
+bool Oracle::holds(const std::vector<Moving>& robots, std::size_t monitor) {
+  kernel_.reset();
+  const TimeUs now_us = begin_us + decision_.period_us;
+  return kernel_.step(seen(robots, now_us, {}), false, false).monitors[monitor].now ==
+         Verdict::is_true;
+}
+
 bool Oracle::passes(const std::vector<Moving>& robots, std::size_t monitor) {
   kernel_.reset();
   for (int k = 1; k <= ticks_; ++k) {

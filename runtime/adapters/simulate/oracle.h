@@ -26,6 +26,8 @@ class Oracle {
   // From where it asks from now on: a state of all robots in which control is with the advanced
   // controller after a while. False: it never is, and the one before stays.
   bool settle(const std::vector<Moving>& robots);
+  // What a monitor says is found true of robots that have just been started.
+  bool holds(const std::vector<Moving>& robots, std::size_t monitor);
   // Where agents are seen from now on, by agent; at first all of them are far away.
   void place_agents(const std::vector<Vec3>& places) { agents_ = places; }
   // What is proposed to be sent from now on, m/s^2; until then it was nothing.

@@ -185,6 +185,7 @@ class Program {
       decision = with_inputs(open, setup.told);
       problem = make_setup(decision, scenario_, seed, setup);
       if (problem) continue;
+      charge(decision, functions_[index], scenario_, setup);
       if (scenario_.tight) tighten(decision, functions_[index], setup);
       return {};
     }

@@ -1,6 +1,7 @@
 #include "tighten.h"
 
 #include <algorithm>
+#include <string>
 
 #include "oracle.h"
 
@@ -35,13 +36,44 @@ void go_on(Oracle& oracle, std::vector<Moving>& robots, const Change& change) {
   }
 }
 
-}  // namespace
-
-void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
+std::vector<Moving> at_rest(const Setup& setup) {
   std::vector<Moving> robots;
   for (const RobotStart& s : setup.starts) {
     robots.push_back({{s.place.x, s.place.y, s.height_m}, {}, s.heading_rad, s.battery});
   }
+  return robots;
+}
+
+bool is_given(const Scenario& scenario, const std::string& robot) {
+  return std::any_of(scenario.starts.begin(), scenario.starts.end(), [&](const auto& start) {
+    return start.first == robot && start.second.battery.has_value();
+  });
+}
+
+}  // namespace
+
+void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenario& scenario,
+            Setup& setup) {
+  constexpr int steps = 8;
+  std::vector<Moving> robots = at_rest(setup);
+  for (std::size_t m = 0; m < d.properties.size(); ++m) {
+    if (!speaks_of(d.properties[m], sim::PropertyOp::energy_to)) continue;
+    for (std::size_t i = 0; i < std::min(robots.size(), robots_max); ++i) {
+      if (is_given(scenario, d.robots[i])) continue;
+      Oracle oracle(d, kernel, static_cast<int>(i));
+      const double drawn = robots[i].battery;
+      for (int k = 0; k <= steps && !oracle.holds(robots, m); ++k) {
+        robots[i].battery = drawn + (1 - drawn) * k / steps;
+      }
+      // no charge is enough there
+      if (!oracle.holds(robots, m)) robots[i].battery = drawn;
+      setup.starts[i].battery = robots[i].battery;
+    }
+  }
+}
+
+void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
+  std::vector<Moving> robots = at_rest(setup);
   if (robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
     Oracle oracle(d, kernel, 0);
     const Vec3 from = robots[0].position, way = robots[1].position - from;
