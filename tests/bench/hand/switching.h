@@ -132,6 +132,13 @@ static inline int first_not_safer(const check* checks) {
   }
   return -1;
 }
+/* The way to the charger never leaves the fence: it goes on, as long as that is not false. */
+static inline int drives_on(const hand_state* s, const check* checks) {
+  return s->mode == HAND_BATTERY + 1 && s->monitors[HAND_BATTERY].engaged &&
+         !s->monitors[HAND_COLLISION].engaged &&
+         (!s->monitors[HAND_GEOFENCE].engaged ||
+          verdict_of(&checks[HAND_GEOFENCE].now) != HAND_FALSE);
+}
 /* The mode of this tick. When no monitor is engaged but one could not yet hand over, that one
  * takes over, so that somebody works on it. */
 static inline int32_t next_mode(hand_state* s, const check* checks, int first, int64_t elapsed,
@@ -139,6 +146,9 @@ static inline int32_t next_mode(hand_state* s, const check* checks, int first, i
   int k, open;
   for (k = 0; k < HAND_MONITORS; ++k) {
     step_monitor(&s->monitors[k], &checks[k], first, elapsed);
+  }
+  if (!first && (elapsed == 0 || elapsed == 1) && drives_on(s, checks)) {
+    return s->mode;
   }
   k = first_engaged(s);
   if (k >= 0) {
