@@ -232,10 +232,22 @@ std::string report_contract(const DecisionFacts& f) {
          which + ";\nassert \\valid_read(checks + k);\n";
 }
 
+// What the table says of who drives, and of the monitor of that number: in terms of the state and
+// of what was found, before `out` is written.
+std::string drives_on_for(const DecisionFacts& f, std::size_t k) {
+  const std::string at = number(k);
+  return "s->monitors[" + at + "].engaged != 0 ==> 1 <= s->mode <= " + number(k + 1) +
+         " || (1 <= s->mode == before && $D_keeps[(s->mode - 1) * " + number(f.monitors.size()) +
+         " + " + at + "] == 1 && verdict(checks[" + at + "].now) != VERDICT_FALSE)";
+}
+
 std::string step_contract(const DecisionFacts& f) {
+  const std::string last_pair = number(f.monitors.size() * f.monitors.size() - 1);
   std::string out = "== $P_$D_step\n" + granted(f) +
                     "requires \\valid(s) && \\valid_read(in) && \\valid(out) && "
                     "\\separated(s, in, out);\n" +
+                    "/*? drives_on */ requires \\separated(s, $D_keeps + (0 .. " + last_pair +
+                    ")) && \\separated(out, $D_keeps + (0 .. " + last_pair + "));\n" +
                     joined("requires", state(f)) + "assigns *s, *out;\n" +
                     joined("ensures", state(f)) +
                     "ensures out->mode == s->mode && out->monitor == out->mode - 1;\n"
@@ -261,11 +273,15 @@ std::string step_contract(const DecisionFacts& f) {
                     claimed_ahead(f, k, {driver, far, "\\true"}) + ") ||\n  (" +
                     claimed_ahead(f, k, {"$D_motions[0]", longer, "\\true", false}) + ")");
   }
+  std::string ranked;
+  for (std::size_t k = 0; k < f.monitors.size(); ++k) {
+    ranked += "/*? drives_on */ assert " + drives_on_for(f, k) + ";\n";
+  }
   // What is claimed of a plan is led past each write by saying that it is the same one.
   const Clauses kept = plan_kept(f, "in->plan");
   const std::string same = kept.empty() ? "" : joined("assert", {kept.back()});
   std::string claims = "-- before s->mode = mode_step(\n" + joined("assert", kept) +
-                       "-- before if (first ||\n" + same + joined("assert", found) +
+                       "-- before if (first ||\n" + same + ranked + joined("assert", found) +
                        "-- before out->previous_mode\n" + same + joined("assert", found) +
                        joined("assert", rules);
   // There `v` is the structure itself.
