@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tests/compiler/driver/testing.h"
-#include "tests/compiler/verify/slow.h"
 
 namespace rtac::driver::test {
 
@@ -18,7 +17,6 @@ class Verify : public InFolder {
   // Nothing is shown by runs, whichever tests came before, unless a test says where `rtac-sim` is.
   void SetUp() override {
     InFolder::SetUp();
-    if (!comes_up()) GTEST_SKIP() << "it is not its turn";
     ::unsetenv("RTAC_SIM");
   }
   static Outcome verified(const std::string& text, std::vector<std::string> more = {}) {
