@@ -134,8 +134,8 @@ decision go for Rover { advanced drive; period 50 ms; priority off;
 // In a wind that holds it off.
 TEST_F(Forged, WhoChargesRestsAtItsDock) {
   write("point.rta", spec_text("tests/campaign/specs/templates/point.rta"));
-  prove(edited(spec_text("tests/campaign/specs/templates/route_point.rta"),
-               "dock = (1.15 m, 1.05 m)", "dock = (2 m, 2 m)"));
+  prove(edited(spec_text("tests/campaign/specs/templates/route_point.rta"), "dock = (2 m, 4.5 m)",
+               "dock = (2 m, 2 m)"));
   const std::string limit = "brake >= 1 m/s^2;";
   expect_noticed_in("point.rta", limit, limit + " disturbance <= 0.3 m/s^2;",
                     "P2a of `battery`: it may come to rest too far from its dock to be charged");
