@@ -38,7 +38,7 @@ double stand_off_m(const Setting& setting) {
     const double late_mps = planned_mps2 * reaction_s;
     const double along_m = set_mps * (set_mps + 2 * late_mps) / (2 * planned_mps2);
     const double aside_m = lasts_mps * std::sin(to_rad) / gain_per_s;
-    farthest_m = std::max(farthest_m, std::hypot(along_m, aside_m));
+    farthest_m = std::max(farthest_m, norm(Vec2{along_m, aside_m}));
   }
   return farthest_m;
 }

@@ -30,7 +30,7 @@ double signed_clearance(const SolidView& zone, Vec3 p) {
     if (!joined) nearest_m = std::min(nearest_m, to_level(p.z, top_m, below, false));
     nearest_m = std::min(nearest_m, to_level(p.z, slab.floor_m, joined && below, here));
     const double up_m = std::max({slab.floor_m - p.z, p.z - slab.ceiling_m, 0.0});
-    const double wall_m = up_m > 0 ? std::hypot(beside_m, up_m) : std::abs(beside_m);
+    const double wall_m = up_m > 0 ? norm(Vec2{beside_m, up_m}) : std::abs(beside_m);
     nearest_m = std::min(nearest_m, wall_m);
     inside = inside || (here && up_m <= 0);
     top_m = slab.ceiling_m;

@@ -29,7 +29,8 @@ Arena::Arena(const Surroundings& surroundings, const std::vector<Property>& prop
     : surroundings_(surroundings),
       properties_(properties),
       limits_(limits),
-      records_(static_cast<std::size_t>(robots)) {
+      records_(static_cast<std::size_t>(robots)),
+      asked_(static_cast<std::size_t>(robots)) {
   for (const Property& p : properties) kinds_.push_back(kind_of(p));
 }
 
@@ -104,6 +105,12 @@ Threat Arena::threat(int robot, Aim aim) const {
     threat.direction = {level.x, level.y, 0};
   }
   return threat;
+}
+
+Threat Arena::threat(int robot, Aim aim, TimeUs now_us) const {
+  Asked& last = asked_[static_cast<std::size_t>(robot)];
+  if (last.at_us != now_us || last.aim != aim) last = {now_us, aim, threat(robot, aim)};
+  return last.threat;
 }
 
 // Straight up and down, and rings of directions between; then around the best of them. Walls are

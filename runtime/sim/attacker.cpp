@@ -88,7 +88,7 @@ Vec3 Chase<Output>::wanted(const Threat& threat, bool& all_out) {
 template <class Output>
 Output Chase<Output>::command(const Observation& observation) {
   choose(observation.now_us);
-  const Threat threat = arena_.threat(robot_, aim_);
+  const Threat threat = arena_.threat(robot_, aim_, observation.now_us);
   Output output{};
   if (threat.monitor < 0) return output;
   bool all_out = true;

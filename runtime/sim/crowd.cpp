@@ -122,8 +122,8 @@ void Crowd::move(TimeUs now_us) {
     if (minds_[k].phase == Phase::stand) continue;
     places_[k] = places_[k] + (agents_[k].speed_mps * time_s * rounded_down) * minds_[k].direction;
   }
-  const auto old = std::find_if(log_.begin(), log_.end(),
-                                [&](const Moment& m) { return m.time_us > now_us - longest_us_; });
+  const auto old = std::partition_point(
+      log_.begin(), log_.end(), [&](const Moment& m) { return m.time_us <= now_us - longest_us_; });
   // one that is older stays, so that there is always one as old as may be
   if (old - log_.begin() > 256) log_.erase(log_.begin(), old - 1);
   log_.push_back({now_us, places_});

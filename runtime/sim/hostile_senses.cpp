@@ -78,7 +78,7 @@ void HostileSenses::plan_faults(TimeUs now_us) {
 void HostileSenses::aim(TimeUs now_us) {
   if (hostility_.noise != Noise::aimed || aimed_us_ == now_us) return;
   aimed_us_ = now_us;
-  const Threat threat = arena_.threat(robot_, hostility_.aim);
+  const Threat threat = arena_.threat(robot_, hostility_.aim, now_us);
   if (threat.monitor >= 0) away_ = turned(-1.0 * threat.direction, turn_rad_);
 }
 

@@ -22,7 +22,7 @@ using sim::Tape;
 
 // How long a run goes on after a violation, to see how deep it gets.
 constexpr TimeUs after_violation_us = 2'000'000;
-constexpr int steps_between_looks = 64;  // at the clock
+constexpr int steps_between_looks = 512;  // at the clock
 constexpr std::uint64_t drive_stream = 3002, plan_stream = 3003;
 
 // Stands where the layer above a plan executor would: a robot without errands would surrender

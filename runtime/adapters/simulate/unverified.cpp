@@ -68,7 +68,7 @@ template <class Output>
 Output Unverified<Output>::command(const Observation& observation) {
   choose(observation.now_us);
   Output output{};
-  const sim::Threat threat = arena_.threat(robot_, aim_);
+  const sim::Threat threat = arena_.threat(robot_, aim_, observation.now_us);
   const Vec3 to = threat.direction;
   const Vec3 way = towards_ * to + across_ * Vec3{-to.y, to.x, 0};
   const double size = norm(way);

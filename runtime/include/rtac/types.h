@@ -28,8 +28,9 @@ inline Vec2 operator*(double k, Vec2 a) {
 inline double dot(Vec2 a, Vec2 b) {
   return a.x * b.x + a.y * b.y;
 }
+// Not std::hypot, whose last bit depends on the processor: what a run did is replayed elsewhere.
 inline double norm(Vec2 a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(dot(a, a));
 }
 
 struct Vec3 {
@@ -45,7 +46,7 @@ inline Vec3 operator*(double k, Vec3 a) {
   return {k * a.x, k * a.y, k * a.z};
 }
 inline double norm(Vec3 a) {
-  return std::hypot(std::hypot(a.x, a.y), a.z);  // of the plane to the last bit where z is 0
+  return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);  // of the plane to the last bit where z is 0
 }
 
 // Outputs of a controller.

@@ -38,9 +38,16 @@ class Arena {
   }
   // Of the properties that are aimed at the one whose margin is least.
   [[nodiscard]] Threat threat(int robot, Aim aim) const;
+  // The same, sought once for each moment: who disturbs senses and who commands both ask for it.
+  [[nodiscard]] Threat threat(int robot, Aim aim, TimeUs now_us) const;
   [[nodiscard]] bool has(Aim aim) const;
 
  private:
+  struct Asked {
+    TimeUs at_us = never_us;
+    Aim aim = Aim::anything;
+    Threat threat;
+  };
   [[nodiscard]] double margin(std::size_t monitor, int robot, Vec3 at) const;
   [[nodiscard]] bool is_aim(std::size_t monitor, Aim aim) const;
   [[nodiscard]] Vec2 steepest(std::size_t monitor, int robot, double reach_m) const;
@@ -51,7 +58,8 @@ class Arena {
   RobotLimits limits_;
   const std::vector<TruthState>* truths_ = nullptr;
   std::vector<DecisionRecord> records_;
-  std::vector<Aim> kinds_;  // of the properties
+  std::vector<Aim> kinds_;            // of the properties
+  mutable std::vector<Asked> asked_;  // last, of each robot
 };
 
 }  // namespace rtac::sim
