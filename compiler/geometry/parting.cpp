@@ -25,7 +25,7 @@ constexpr int halvings_max = 5, halvings_of_both_max = 3;
 // all of those in so many rings.
 constexpr int far_cells_max = 20;
 // Cells and legs that are looked at, over all pairs.
-constexpr std::int64_t looks_max = 1'600'000'000;
+constexpr std::int64_t looks_max = 400'000'000;
 // So many pairs that part are remembered, as a power of 2.
 constexpr int known_bits = 20;
 // Cells that ways are remembered of: of two bits each, 200 MB.

@@ -49,12 +49,12 @@ struct Region::Impl {
     });
   }
 
-  // Of large outlines: pieces for every edge and corner, united, take a hundred times as long. A
-  // corner that was grown by 100 m is an arc of hundreds of vertices.
+  // Of outlines with round corners: pieces for every edge and corner, united, take up to a hundred
+  // times as long. Those with few corners keep exact numbers by that, and are cheap.
   [[nodiscard]] std::optional<std::vector<PolygonWithHoles>> moved(const Rational& distance,
                                                                    const Rational& excess,
                                                                    BandSide side) const {
-    constexpr std::size_t vertices_large = 400;
+    constexpr std::size_t vertices_large = 24;
     return vertices() < vertices_large ? std::nullopt
                                        : moved_at_once(parts, distance, excess, side);
   }
