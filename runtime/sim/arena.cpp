@@ -1,6 +1,7 @@
 #include "rtac/sim/arena.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -10,10 +11,24 @@
 namespace rtac::sim {
 namespace {
 
-constexpr int directions = 16;  // looked at first; then the best one is refined
+constexpr std::size_t directions = 16;  // looked at first; then the best one is refined
 constexpr int refinements = 5;
 // How far around the robot it looks: to where the property fails, within these limits.
 constexpr double nearest_m = 0.02, farthest_m = 10;
+
+double angle_of_ring(std::size_t k, std::size_t of) {
+  return 2 * pi * static_cast<double>(k) / static_cast<double>(of);
+}
+Vec2 unit_of(double angle_rad) {
+  const SinCos unit = sin_cos(angle_rad);
+  return {unit.cos, unit.sin};
+}
+template <std::size_t size>
+std::array<Vec2, size> ring_of() {
+  std::array<Vec2, size> ring;
+  for (std::size_t k = 0; k < size; ++k) ring[k] = unit_of(angle_of_ring(k, size));
+  return ring;
+}
 
 Aim kind_of(const Property& p) {
   if (speaks_of(p, PropertyOp::battery) || speaks_of(p, PropertyOp::energy_to)) return Aim::charge;
@@ -55,32 +70,25 @@ bool Arena::has(Aim aim) const {
 
 Vec2 Arena::steepest(std::size_t monitor, int robot, double reach_m) const {
   const Vec3 here = position_of(truth(robot));
-  const auto margin_towards = [&](double angle_rad) {
-    const SinCos unit = sin_cos(angle_rad);
-    return margin(monitor, robot, here + reach_m * Vec3{unit.cos, unit.sin, 0});
-  };
+  static const std::array<Vec2, directions> ring = ring_of<directions>();
+  Vec2 best{1, 0};
   double best_rad = 0, least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < directions; ++k) {
-    const double angle_rad = 2 * pi * k / directions;
-    const double m = margin_towards(angle_rad);
-    if (m < least) {
-      least = m;
-      best_rad = angle_rad;
-    }
-  }
+  const auto look = [&](double angle_rad, Vec2 way) {
+    const double m = margin(monitor, robot, here + reach_m * Vec3{way.x, way.y, 0});
+    if (!(m < least)) return;
+    least = m;
+    best = way;
+    best_rad = angle_rad;
+  };
+  for (std::size_t k = 0; k < directions; ++k) look(angle_of_ring(k, directions), ring[k]);
   double turn_rad = pi / directions;
   for (int k = 0; k < refinements; ++k, turn_rad /= 2) {
     const double centre_rad = best_rad;
     for (const double angle_rad : {centre_rad - turn_rad, centre_rad + turn_rad}) {
-      const double m = margin_towards(angle_rad);
-      if (m < least) {
-        least = m;
-        best_rad = angle_rad;
-      }
+      look(angle_rad, unit_of(angle_rad));
     }
   }
-  const SinCos unit = sin_cos(best_rad);
-  return {unit.cos, unit.sin};
+  return best;
 }
 
 Threat Arena::threat(int robot, Aim aim) const {

@@ -26,8 +26,8 @@ constexpr int steps_between_looks = 512;  // at the clock
 constexpr std::uint64_t drive_stream = 3002, plan_stream = 3003;
 
 // Stands where the layer above a plan executor would: a robot without errands would surrender
-// control, and an attack never does. Whoever drives by plans gets one whenever there is none:
-// straight to a place where the properties hold, whatever lies between.
+// control, and an attack never does. Whoever drives by plans gets one whenever there is none: by
+// way of some places where the properties hold to another one, whatever lies between.
 class Errands final : public stack::RobotMachine {
  public:
   Errands(const DecisionCase& decision, const Setup& setup, const Arena& arena, int robot)
@@ -44,10 +44,14 @@ class Errands final : public stack::RobotMachine {
     if (!plans_ || report == nullptr || report->mode != 0 || report->has_plan) return;
     stack::Situation situation;
     situation.has_destination = true;
-    situation.destination = draw_place(decision_, arena_.truths(), robot_, random_);
-    executor_->post(situation);
     stack::NewPlan plan;
-    (void)plan.path.points.push(situation.destination);
+    const auto most =
+        std::clamp<std::int64_t>(static_cast<std::int64_t>(decision_.plan_capacity), 1, 4);
+    for (std::int64_t legs = 1 + random_.below(most); legs > 0; --legs) {
+      situation.destination = draw_place(decision_, arena_.truths(), robot_, random_);
+      (void)plan.path.points.push(situation.destination);
+    }
+    executor_->post(situation);
     plan.path.stamp_us = report->now_us;
     executor_->post(plan);
   }
