@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "compiler/analysis/dials.h"
@@ -12,6 +13,7 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/tables.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
@@ -255,6 +257,7 @@ class Judge {
     const auto had = that_works(value.source, 1000, least_mm, best);
     found->help = had ? "a distance of at most " + metres(*had) + " can be had"
                       : "no distance works: widen the zone, or lower `ahead`, `speed` or `accel`";
+    if (const auto wider = wider_zone(*found, least_mm - best)) found->help += "; or " + *wider;
     return found;
   }
   // The charge as the property asks for it, after what the look-ahead takes.
@@ -348,6 +351,22 @@ class Judge {
     }
     return least;
   }
+  // The zone that robots are held in, if it is one, so much wider that they can be as far apart.
+  // Each end of its longest diagonal moves out by between once and 1.42 times the growth. Where it
+  // is asked what is shown, too, that says how wide it has to be (joint return).
+  std::optional<std::string> wider_zone(const diag::Diagnostic& of, std::int64_t missing_mm) const {
+    if (of_ == nullptr || of_->trials == nullptr || exact_ == nullptr) return std::nullopt;
+    if (!of_->trials->by_reports_alone() || decision_.body.in_space) return std::nullopt;
+    std::set<ir::ZoneIndex> fences;
+    for (const ir::Monitor& m : decision_.monitors) {
+      for (const ir::ZoneIndex fence : sure_fences(m.property, decision_.facts.params)) {
+        fences.insert(fence);
+      }
+    }
+    if (fences.size() != 1 || missing_mm <= 0) return std::nullopt;
+    return growth_that_works(*of_->trials, *fences.begin(), exact_->flat(*fences.begin()),
+                             missing_mm * 5 / 14, missing_mm, fault_of(of.code, of.range));
+  }
   // The distance as the return condition asks for it.
   Finding far_apart(std::int64_t least_mm, std::int64_t strict, const SourceRange& source) const {
     Finding found = distance(least_mm, source);
@@ -355,6 +374,8 @@ class Judge {
     const auto had = that_works(source, 1000, least_mm, widest_gap_mm() - strict);
     found->help = had ? "a distance of at most " + metres(*had) + " can be had"
                       : "no distance works: widen the zone";
+    const std::int64_t missing_mm = least_mm + strict - widest_gap_mm();
+    if (const auto wider = wider_zone(*found, missing_mm)) found->help += "; or " + *wider;
     return found;
   }
   Finding distance(std::int64_t least, const SourceRange& source) const {

@@ -54,6 +54,7 @@ class Trials {
   Trials(sema::Spec& spec, Run run) : spec_(spec), run_(std::move(run)) {}
   // Of numbers, not by what is shown with them, which takes ten times as long.
   void go_by_reports_alone() { reports_alone_ = true; }
+  [[nodiscard]] bool by_reports_alone() const { return reports_alone_; }
   // To be changed, and to be as it was afterwards.
   [[nodiscard]] sema::Spec& spec() const { return spec_; }
   // Of the specification as it is written.

@@ -356,7 +356,11 @@ void repair_together(Report& report) {
       return o.kind == Kind::joint_return && o.status == Status::refuted;
     });
     if (own == all.end() || together == all.end()) continue;
-    if (together->method != never_by_itself) together->repair = own->repair;
+    if (together->method == never_by_itself) continue;
+    const std::size_t growth = together->repair.find("`grow(");
+    const std::string wider =
+        growth == std::string::npos ? "" : "; or " + together->repair.substr(growth) + " works";
+    together->repair = own->repair + wider;
   }
 }
 

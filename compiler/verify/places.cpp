@@ -496,8 +496,7 @@ Obligation returns_together(const Subject& s) {
     o.because = never;
     const std::vector<Need> zones = joint_needs_of(s).zones;
     const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
-    o.repair = flat ? smaller_distance(s, floor_of(s, zones))
-                    : "a wider zone works, or a smaller distance";
+    o.repair = flat ? room_that_works(s, zones) : "a wider zone works, or a smaller distance";
     return o;
   }
   const auto& monitors = s.decision.monitors;

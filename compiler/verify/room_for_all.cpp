@@ -65,11 +65,62 @@ std::size_t robots_of(const Subject& s) {
   return static_cast<std::size_t>(s.decision.robots);
 }
 
-std::string smaller(const RoomForAll& room, const Apart& apart) {
+// Where robots are given back in a zone that is so much wider; what snaps to the grid may be 5 mm
+// narrower.
+Floor grown_floor(const Subject& s, const std::vector<Need>& zones, std::int64_t by_mm) {
+  constexpr std::int64_t snapped_mm = 5;
+  Floor floor;
+  geometry::Region common = geometry::Region::everywhere();
+  for (const Need& need : zones) {
+    const geometry::Region wide = s.exact(need.zone).grow(analysis::metres_of(by_mm));
+    const auto deep = analysis::within(wide, need.clearance_mm + snapped_mm);
+    common = deep ? common.intersect(*deep) : geometry::Region();
+  }
+  floor.around = common.rings();
+  floor.corners = common.vertices();
+  floor.has = [common](const geometry::Point& at) { return common.contains(at); };
+  return floor;
+}
+
+// The least growth on every side of the one zone that robots are given back in, in centimetres,
+// with which there is room for all of them. none: there are several such zones, or it is one of
+// many corners, for which it takes long.
+std::optional<std::int64_t> growth_mm(const Subject& s, const std::vector<Need>& zones,
+                                      const Apart& apart) {
+  constexpr std::int64_t step_mm = 10, most_mm = 100'000;
+  constexpr std::size_t vertices_max = 40;
+  const bool one = !zones.empty() && std::ranges::all_of(zones, [&](const Need& need) {
+    return need.zone == zones.front().zone;
+  });
+  if (!one || s.module[zones.front().zone].name.empty()) return std::nullopt;
+  if (s.exact(zones.front().zone).vertices() > vertices_max) return std::nullopt;
+  const auto fits = [&](std::int64_t by_mm) {
+    return RoomForAll(robots_of(s), grown_floor(s, zones, by_mm)).centres(apart.centres_mm);
+  };
+  std::int64_t low = 0, high = step_mm;
+  while (!fits(high)) {
+    low = high, high *= 2;
+    if (low >= most_mm) return std::nullopt;
+  }
+  while (high - low > step_mm) {
+    const std::int64_t middle = (low + high) / (2 * step_mm) * step_mm;
+    (fits(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+std::string what_works(const Subject& s, const std::vector<Need>& zones, const RoomForAll& room,
+                       const Apart& apart) {
   const auto most_mm = room.most_apart_mm(apart.centres_mm);
   const std::int64_t left_mm = most_mm.value_or(0) - (apart.centres_mm - apart.asked_mm);
-  return left_mm > 0 ? "a distance of at most " + metres(left_mm) + " works, or a wider zone"
-                     : "a wider zone works";
+  const auto by_mm = growth_mm(s, zones, apart);
+  std::string wider = "a wider zone";
+  if (by_mm) {
+    const std::string name = s.module[zones.front().zone].name;
+    wider = "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`";
+  }
+  return left_mm <= 0 ? "it takes " + wider
+                      : "a distance of at most " + metres(left_mm) + " works, or " + wider;
 }
 
 }  // namespace
@@ -87,8 +138,8 @@ Floor floor_of(const Subject& s, const std::vector<Need>& all) {
   return floor;
 }
 
-std::string smaller_distance(const Subject& s, const Floor& floor) {
-  return smaller(RoomForAll(robots_of(s), floor), apart_of(s));
+std::string room_that_works(const Subject& s, const std::vector<Need>& zones) {
+  return what_works(s, zones, RoomForAll(robots_of(s), floor_of(s, zones)), apart_of(s));
 }
 
 Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const Floor& floor,
@@ -103,7 +154,7 @@ Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const F
     o.method = "no proof";
     o.because = "no places were found where " + robots + " robots are given back, their centres " +
                 metres(apart.centres_mm) + " apart";
-    o.repair = smaller(room, apart);
+    o.repair = what_works(s, floor.z_mm ? std::vector<Need>() : zones, room, apart);
     o.claims.clear();
     return o;
   }
