@@ -111,7 +111,7 @@ class Checker {
     const std::string help = works.empty() ? "no number alone works: a stronger brake and `accel` "
                                              "are needed, or less that pushes, or a faster recovery"
                                            : joined(works) + " works";
-    if (carried_off) return refuse(push, k, help);
+    if (carried_off) return refuse(push, k, others, help);
     report(push.what.c_str(), push.value, help);
   }
   // The number nearest to the written one that works, in m/s^2; none: others have to change with
@@ -130,13 +130,20 @@ class Checker {
     value.canonicalize();
     return value;
   }
-  void refuse(const Push& push, const sema::RobotKind& k, const std::string& help) {
+  void refuse(const Push& push, const sema::RobotKind& k, const Rational& others,
+              const std::string& help) {
+    std::vector<diag::Note> notes = {
+        {k.motion.brake.range,
+         "a hold needs a quarter of the brake of " + to_decimal(k.motion.brake.value) + " m/s^2"}};
+    if (others > 0) {
+      notes.push_back({k.motion.disturbance->range,
+                       "the disturbance takes " + to_decimal(others) + " m/s^2 of it besides"});
+    }
     diagnostics_.report({Code::limit_contradictory,
                          push.value.range,
                          push.what + " leaves `" + k.name + "` too little of its brake",
                          "a robot that holds its place may be carried off",
-                         {{k.motion.brake.range, "a hold needs a quarter of the brake of " +
-                                                     to_decimal(k.motion.brake.value) + " m/s^2"}},
+                         std::move(notes),
                          help,
                          {}});
   }
