@@ -13,6 +13,21 @@ TEST(Shrink, ConvexAxisParallelIsExact) {
   EXPECT_EQ(box(0, 0, 5000, 5000).shrink(q(2499, 1000)).area(), q(4, 1000000));
 }
 
+// A comb.
+TEST(Shrink, ManyCornersOfWallsParallelToAnAxisAreExact) {
+  Region comb = box(0, 0, 41'000, 2000);
+  for (int tooth = 0; tooth < 20; ++tooth) {
+    comb = comb.unite(box(1000 + 2000 * tooth, 2000, 2000 + 2000 * tooth, 4000));
+  }
+  ASSERT_GT(comb.vertices(), 80U);
+  const Region shrunk = comb.shrink(q(2, 10));
+  const Region within[] = {box(200, 200, 40'800, 1800), box(1200, 200, 1800, 3800)};
+  for (const Region& each : within) {
+    EXPECT_TRUE(shrunk.contains(each));
+    EXPECT_FALSE(shrunk.contains(each.grow(q(1, 1'000'000))));
+  }
+}
+
 // However a number is written, as `by_m` of some callers: 150/1000 is 3/20.
 TEST(Shrink, TakesDistancesThatAreNotInLowestTerms) {
   const Region around = Region::everywhere().subtract(box(0, 0, 12000, 5000));
