@@ -409,7 +409,7 @@ void repair_ways(const sema::Spec& spec, const std::vector<diag::Diagnostic>& fo
 
 template <class Visit>
 void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir::TableMap& tables,
-                      const Visit& visit) {
+                      const Visit& visit, bool is_read = true) {
   ExactZones zones(spec, tables);
   const analysis::ExactZone exact = [&](ir::ZoneIndex zone) -> const geometry::Region& {
     return zones(zone);
@@ -418,7 +418,8 @@ void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir
       [&](ir::ZoneIndex zone) -> const geometry::Solid& { return zones.solid(zone); };
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const sema::Decision& written = spec.decisions[n];
-    visit(Subject{spec, module, written, module.decisions[n], exact, solid, spec[written.kind]});
+    visit(Subject{spec, module, written, module.decisions[n], exact, solid, spec[written.kind],
+                  is_read});
   }
 }
 
@@ -469,8 +470,8 @@ void drop_own(const sema::Spec& spec, Report& report) {
 
 // Without places that runs might begin at.
 Report obligations_of(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
-                      const std::vector<diag::Diagnostic>& found,
-                      const protocol::CheckModel& check) {
+                      const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check,
+                      bool is_read) {
   Report report;
   report.spec = spec.name;
   report.complete = module != nullptr;
@@ -479,8 +480,9 @@ Report obligations_of(const sema::Spec& spec, const ir::Module* module, const ir
       return diag::info(d.code).severity == diag::Severity::error;
     });
     const protocol::CheckModel asked = refuted ? protocol::CheckModel() : check;
-    for_each_subject(spec, *module, tables,
-                     [&](const Subject& s) { report.decisions.push_back(Prover(s, asked).run()); });
+    for_each_subject(
+        spec, *module, tables,
+        [&](const Subject& s) { report.decisions.push_back(Prover(s, asked).run()); }, is_read);
   } else {
     for (const sema::Decision& d : spec.decisions) {
       report.decisions.push_back({d.name, spec[d.kind].name, {}, {}});
@@ -506,7 +508,7 @@ Report obligations_of(const sema::Spec& spec, const ir::Module* module, const ir
 
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
               const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check) {
-  Report report = obligations_of(spec, module, tables, found, check);
+  Report report = obligations_of(spec, module, tables, found, check, true);
   if (module != nullptr) {
     for_each_subject(spec, *module, tables, [&](const Subject& s) {
       for (Decision& d : report.decisions) {
@@ -521,7 +523,7 @@ std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Mod
                                            const ir::TableMap& tables,
                                            const std::vector<diag::Diagnostic>& found) {
   std::set<analysis::Fault> all;
-  const Report report = obligations_of(spec, &module, tables, found, {});
+  const Report report = obligations_of(spec, &module, tables, found, {}, false);
   for (std::size_t n = 0; n < report.decisions.size(); ++n) {
     for (const Obligation& o : report.decisions[n].obligations) {
       const bool open = o.status == Status::unknown || o.status == Status::refuted;

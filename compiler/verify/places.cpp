@@ -494,6 +494,7 @@ Obligation returns_together(const Subject& s) {
     o.status = Status::refuted;
     o.method = "geometry";
     o.because = never;
+    if (!s.is_read) return o;
     const std::vector<Need> zones = joint_needs_of(s).zones;
     const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
     o.repair = flat ? room_that_works(s, zones) : "a wider zone works, or a smaller distance";

@@ -30,6 +30,7 @@ struct Subject {
   const analysis::ExactZone& exact;
   const std::function<const geometry::Solid&(ir::ZoneIndex)>& solid;  // of a zone with height
   const sema::RobotKind& kind;
+  bool is_read = true;  // somebody reads the texts, and not only what is shown
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const {
     return spec[written.priority[k]];
   }

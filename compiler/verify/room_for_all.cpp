@@ -154,7 +154,9 @@ Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const F
     o.method = "no proof";
     o.because = "no places were found where " + robots + " robots are given back, their centres " +
                 metres(apart.centres_mm) + " apart";
-    o.repair = what_works(s, floor.z_mm ? std::vector<Need>() : zones, room, apart);
+    if (s.is_read) {
+      o.repair = what_works(s, floor.z_mm ? std::vector<Need>() : zones, room, apart);
+    }
     o.claims.clear();
     return o;
   }
