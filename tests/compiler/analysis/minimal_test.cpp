@@ -227,7 +227,7 @@ std::vector<Offer> offers() {
       {"^less than " + number + " m/s\\^2 works", "m/s\\^2", 1000, Beyond::itself,
        part(&About::robot, "\\bdisturbance *<= *")},
       {"^at most " + number + " m/s\\^2(?=, or a| works)", "m/s\\^2", 1000, Beyond::more,
-       part(&About::robot, "\\bdisturbance *<= *"), 5005},
+       part(&About::itself, ""), 5005},
       {"at least " + number + " m/s\\^2 works$", "m/s\\^2", 1000, Beyond::less,
        part(&About::robot, "\\bbrake *>= *"), 5005},
       {"`jitter` of at most " + number + " ms", "ms", 1, Beyond::more,
