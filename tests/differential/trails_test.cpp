@@ -115,16 +115,7 @@ class Ticks {
 class Reference {
  public:
   Reference() : checked_(check(spec, Until::kernel)) {
-    if (!checked_->problem.empty()) return;
-    const auto engine = driver::make_interpreter(*checked_->compilation.spec);
-    code_ = driver::kernel_code(checked_->compilation);
-    Ticks ticks(1);
-    for (std::int64_t tick = 0; tick < 1200; ++tick) {
-      Step& step = steps_.emplace_back();
-      step.inputs = ticks.next(tick * 1000000);
-      engine->step(tick * 1000000, step.inputs, step.exact);
-      for (std::size_t k = 0; k < step.exact.size(); ++k) step.margins.push_back(engine->margin(k));
-    }
+    if (checked_->problem.empty()) code_ = driver::kernel_code(checked_->compilation);
   }
   [[nodiscard]] const std::string& problem() const { return checked_->problem; }
   [[nodiscard]] const driver::KernelCode& code() const { return code_; }
@@ -132,7 +123,7 @@ class Reference {
   std::string difference(driver::Engine& kernel) {
     std::vector<driver::Judgement> found;
     std::int64_t tick = 0;
-    for (const Step& step : steps_) {
+    for (const Step& step : steps()) {
       kernel.step(tick * 1000000, step.inputs, found);
       for (std::size_t k = 0; k < found.size(); ++k) {
         const char* const fault =
@@ -149,7 +140,7 @@ class Reference {
   std::string difference(driver::Engine& kernel, driver::Engine& alone) {
     std::vector<driver::Judgement> found, verdicts;
     std::int64_t tick = 0;
-    for (const Step& step : steps_) {
+    for (const Step& step : steps()) {
       kernel.step(tick * 1000000, step.inputs, found);
       alone.step(tick * 1000000, step.inputs, verdicts);
       for (std::size_t k = 0; k < found.size(); ++k) {
@@ -161,12 +152,12 @@ class Reference {
     }
     return "";
   }
-  [[nodiscard]] std::size_t count(std::size_t monitor, interp::Verdict verdict) const {
+  [[nodiscard]] std::size_t count(std::size_t monitor, interp::Verdict verdict) {
     std::size_t count = 0;
-    for (const Step& step : steps_) count += step.exact[monitor].verdict == verdict ? 1 : 0;
+    for (const Step& step : steps()) count += step.exact[monitor].verdict == verdict ? 1 : 0;
     return count;
   }
-  [[nodiscard]] std::size_t monitors() const { return steps_.front().exact.size(); }
+  [[nodiscard]] std::size_t monitors() { return steps().front().exact.size(); }
 
  private:
   struct Step {
@@ -174,6 +165,19 @@ class Reference {
     std::vector<driver::Judgement> exact;
     std::vector<driver::MarginEnds> margins;
   };
+  // Takes long; who asks for the code alone does not wait for it.
+  const std::vector<Step>& steps() {
+    if (!steps_.empty()) return steps_;
+    const auto engine = driver::make_interpreter(*checked_->compilation.spec);
+    Ticks ticks(1);
+    for (std::int64_t tick = 0; tick < 1200; ++tick) {
+      Step& step = steps_.emplace_back();
+      step.inputs = ticks.next(tick * 1000000);
+      engine->step(tick * 1000000, step.inputs, step.exact);
+      for (std::size_t k = 0; k < step.exact.size(); ++k) step.margins.push_back(engine->margin(k));
+    }
+    return steps_;
+  }
   static const char* fault(std::size_t monitor, interp::Verdict exact, const driver::MarginEnds& e,
                            const driver::Judgement& found, const driver::MarginEnds& f) {
     const bool is_unknown = found.verdict == interp::Verdict::unknown;
