@@ -87,32 +87,40 @@ class Checker {
     const sema::Quantity& value;
     std::function<sema::Quantity*(sema::RobotKind&)> of;
   };
-  // What the brake has left divides, and is rounded down to the grid. `others`: what pushes
-  // besides.
+  // What the brake has left divides, and is rounded down to the grid; who is pushed harder than it
+  // speeds up never gets back to its place. `others`: what pushes besides.
   void check_push(const Push& push, const sema::RobotKind& k, const Rational& others) {
-    const Rational held = k.motion.brake.value * holdable_share - others;
-    const Rational room =
-        std::min(k.motion.brake.value, k.motion.accel.value) - 2 * least_accel_mps2 - others;
-    const bool carried_off = push.value.value > held;
-    if (!carried_off && push.value.value <= room) return;
+    const Rational held = std::min(Rational(k.motion.brake.value * holdable_share),
+                                   Rational(k.motion.brake.value - 2 * least_accel_mps2)) -
+                          others;
+    const Rational followed = k.motion.accel.value - 2 * least_accel_mps2 - others;
+    if (push.value.value <= std::min(held, followed)) return;
     const auto number = static_cast<std::size_t>(&k - spec_.kinds.data());
-    const Fault fault = fault_of(carried_off ? Code::limit_contradictory : Code::value_out_of_range,
-                                 push.value.range);
+    const Fault fault = fault_of(Code::limit_contradictory, push.value.range);
     std::vector<std::string> works;
     const auto offer = [&](const char* before, const std::optional<Rational>& value) {
       if (value) works.push_back(before + to_decimal(*value) + " m/s^2");
     };
     if (trials_ != nullptr) {
-      sema::RobotKind& kind = trials_->spec().kinds[number];
-      offer("at most ", nearest(*push.of(kind), push.what + k.name, std::min(held, room), fault));
-      const Rational least = Rational(push.value.value + others) / holdable_share;
-      offer("a `brake` of at least ", nearest(kind.motion.brake, "brake" + k.name, least, fault));
+      sema::Motion& motion = trials_->spec().kinds[number].motion;
+      const auto most = std::min(held, followed);
+      const Rational all = push.value.value + others;
+      offer("at most ",
+            nearest(*push.of(trials_->spec().kinds[number]), push.what + k.name, most, fault));
+      if (push.value.value > held) {
+        offer("a `brake` of at least ",
+              nearest(motion.brake, "brake" + k.name, Rational(all / holdable_share), fault));
+      }
+      if (push.value.value > followed) {
+        offer("an `accel` of at least ",
+              nearest(motion.accel, "accel" + k.name, Rational(all + 2 * least_accel_mps2), fault));
+      }
     }
-    const std::string help = works.empty() ? "no number alone works: a stronger brake and `accel` "
-                                             "are needed, or less that pushes, or a faster recovery"
-                                           : joined(works) + " works";
-    if (carried_off) return refuse(push, k, others, help);
-    report(push.what.c_str(), push.value, help);
+    refuse(push, k, others, push.value.value > held,
+           works.empty()
+               ? "no number alone works: a stronger brake and `accel` are needed, or less "
+                 "that pushes, or a faster recovery"
+               : joined(works) + " works");
   }
   // The number nearest to the written one that works, in m/s^2; none: others have to change with
   // it.
@@ -130,18 +138,22 @@ class Checker {
     value.canonicalize();
     return value;
   }
-  void refuse(const Push& push, const sema::RobotKind& k, const Rational& others,
+  void refuse(const Push& push, const sema::RobotKind& k, const Rational& others, bool of_brake,
               const std::string& help) {
+    const sema::Quantity& limit = of_brake ? k.motion.brake : k.motion.accel;
+    const std::string value = to_decimal(limit.value) + " m/s^2";
     std::vector<diag::Note> notes = {
-        {k.motion.brake.range,
-         "a hold needs a quarter of the brake of " + to_decimal(k.motion.brake.value) + " m/s^2"}};
+        {limit.range, of_brake ? "a hold needs a quarter of the brake of " + value
+                               : "who is led back to its place speeds up by " + value +
+                                     " at most, which has to be more than what pushes"}};
     if (others > 0) {
       notes.push_back({k.motion.disturbance->range,
                        "the disturbance takes " + to_decimal(others) + " m/s^2 of it besides"});
     }
     diagnostics_.report({Code::limit_contradictory,
                          push.value.range,
-                         push.what + " leaves `" + k.name + "` too little of its brake",
+                         push.what + " leaves `" + k.name + "` too little of its " +
+                             (of_brake ? "brake" : "`accel`"),
                          "a robot that holds its place may be carried off",
                          std::move(notes),
                          help,

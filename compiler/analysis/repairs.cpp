@@ -205,7 +205,8 @@ class Search {
   std::optional<Found> nearest(const Found& near) {
     const Number& n = *near.number;
     const Rational before = n.of(kind_, decision_)->value;
-    const Dial dial{dial_of(n), near.written, n.grows ? grown_most : n.least,
+    const auto far = n.grows ? grown_most : least_allowed(n, near.written);
+    const Dial dial{dial_of(n), near.written, far,
                     [&](std::int64_t steps) { return write(n, steps); },
                     [&] { n.of(kind_, decision_)->value = before; }};
     const auto found = trials_.nearest(dial, near.steps, fault_);

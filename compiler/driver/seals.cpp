@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <sstream>
 
 #include "compiler/driver/files.h"
@@ -21,6 +23,30 @@ std::vector<Seal> seals_in(const std::string& folder) {
     if (blank != std::string::npos) all.push_back({line.substr(0, blank), line.substr(blank + 2)});
   }
   return all;
+}
+
+// What certificates are made of: what lies beside that is nobody's evidence.
+bool is_evidence(const std::string& path) {
+  static constexpr std::string_view files[] = {"specification", "verification.json"};
+  static constexpr std::string_view folders[] = {"lemmas/", "models/", "sources/"};
+  return std::find(std::begin(files), std::end(files), path) != std::end(files) ||
+         std::any_of(std::begin(folders), std::end(folders),
+                     [&](std::string_view each) { return path.rfind(each, 0) == 0; });
+}
+// A line may be taken out of the seals as well as a file is changed.
+std::vector<std::string> unsealed(const std::string& folder, const std::vector<Seal>& seals) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> found;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string path = fs::path(at->path()).lexically_relative(folder).generic_string();
+    const bool named = std::any_of(seals.begin(), seals.end(),
+                                   [&](const Seal& seal) { return seal.path == path; });
+    if (!named && is_evidence(path) && at->is_regular_file(error)) found.push_back(path);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace
@@ -58,6 +84,7 @@ std::vector<std::string> broken_seals(const std::string& folder) {
     const auto text = read_file(folder + "/" + seal.path);
     if (!text || sum_of(*text) != seal.sum) broken.push_back(seal.path);
   }
+  for (std::string& path : unsealed(folder, seals)) broken.push_back(std::move(path));
   return broken;
 }
 

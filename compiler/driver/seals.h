@@ -21,7 +21,8 @@ std::string seals_of(std::vector<std::pair<std::string, std::string_view>> files
 // The same of the files that the seals of a folder name, as they are now.
 std::string sealed_anew(const std::string& folder);
 
-// The files of the folder that are not what was sealed, or are missing; all of it without seals.
+// The files of the folder that are not what was sealed, are missing, or that nobody sealed; all of it
+// without seals.
 std::vector<std::string> broken_seals(const std::string& folder);
 
 }  // namespace rtac::driver

@@ -5,6 +5,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/outline.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/ways_in.h"
@@ -30,8 +31,8 @@ class Damage {
       : s_(s), driving_(s.decision.monitors[driving]), judged_(s.decision.monitors[judged]) {}
 
   std::vector<Start> run() {
-    const Region allowed = centres_of(s_, judged_, 0);
-    Region from = Region::everywhere();
+    const Region allowed = centres_of(s_, judged_, 0).intersect(unlimited());
+    Region from = allowed;
     for (const ir::Monitor& m : s_.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
       if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
@@ -74,6 +75,18 @@ class Damage {
   }
 
  private:
+  // Where no limit of speed holds that one side of an `or` sets, as the other side does.
+  [[nodiscard]] Region unlimited() const {
+    Region all = Region::everywhere();
+    if (!atoms_of(judged_.property).speed) return all;
+    for (const analysis::Standoff& each :
+         analysis::fence_standoffs(judged_.property, s_.decision.facts.params)) {
+      if (s_.module[each.zone].has_height()) continue;
+      const std::int64_t mm = s_.decision.body.radius_mm + each.mm;
+      all = all.intersect(analysis::within(s_.exact(each.zone), mm).value_or(s_.exact(each.zone)));
+    }
+    return all;
+  }
   // Outside of its zone, from where it makes straight for that, across what is not allowed.
   void straight_in(const ir::Recovery& step, const Region& from, const Region& allowed,
                    std::vector<Start>& all) const {

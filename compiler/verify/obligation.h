@@ -94,6 +94,8 @@ struct Obligation {
   bool unending = false;
   // Of `keeps`: the monitor that the recovery drives for, if it is one of inputs alone.
   std::string unmet{};
+  // Of `keeps`, where it depends on that: the monitors that the recovery drives for.
+  std::vector<std::string> engaged{};
 };
 // How much of what a monitor keeps free the worst motion needs that a search has found, from states
 // that just pass its look-ahead. It refutes, and proves nothing.

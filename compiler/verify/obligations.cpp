@@ -121,7 +121,17 @@ class Prover {
       same->unmet = std::move(last.unmet);
     }
     same->micros += last.micros;
+    same->engaged.push_back(last.engaged.front());
     all.pop_back();
+  }
+  // Whom a recovery drives for is said where that makes a difference.
+  void name_engaged() {
+    auto& all = out_.obligations;
+    std::map<std::pair<std::string, std::string>, int> lines;
+    for (const Obligation& o : all) lines[{o.recovery, o.monitor}] += o.kind == Kind::keeps ? 1 : 0;
+    for (Obligation& o : all) {
+      if (lines[{o.recovery, o.monitor}] < 2) o.engaged.clear();
+    }
   }
   void arbitration() {
     const analysis::Arbitration all = matrix_of(s_);
@@ -129,9 +139,11 @@ class Prover {
       for (std::size_t j = 0; j < all.size(); ++j) {
         if (i == j) continue;
         take([&] { return keeps_others(s_, all[i][j], i, j); });
+        out_.obligations.back().engaged = {s_.decision.monitors[i].name};
         say_once();
       }
     }
+    name_engaged();
     take([&] { return switches_well(s_, all, check_); });
   }
 
@@ -225,6 +237,7 @@ void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Ob
     if (pair->status == Status::refuted && !pair->by_a_run) refuted.by_a_run = false;
     refuted.starts = std::move(pair->starts);
     refuted.unmet = std::move(pair->unmet);
+    refuted.engaged = std::move(pair->engaged);
     *pair = std::move(refuted);
   }
 }

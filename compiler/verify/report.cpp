@@ -16,9 +16,13 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-// Whom it is about: `geofence`, `give_way, battery`, or nobody in particular.
+// Whom it is about: `geofence`, `give_way, battery`, `home for charge, fence`, or nobody in
+// particular.
 std::string whom(const Obligation& o) {
-  return o.recovery.empty() ? o.monitor : o.recovery + ", " + o.monitor;
+  if (o.recovery.empty()) return o.monitor;
+  std::string engaged;
+  for (const std::string& each : o.engaged) engaged += (engaged.empty() ? " for " : " and ") + each;
+  return o.recovery + engaged + ", " + o.monitor;
 }
 
 std::string decimals(double value, const char* format = "%.2f") {
@@ -87,6 +91,7 @@ nlohmann::ordered_json json_of(const Obligation& o, bool with_times) {
   j["obligation"] = name(o.kind);
   if (!o.monitor.empty()) j["monitor"] = o.monitor;
   if (!o.recovery.empty()) j["recovery"] = o.recovery;
+  if (!o.engaged.empty()) j["engaged"] = o.engaged;
   j["status"] = name(o.status);
   j["method"] = o.method;
   j["because"] = o.because;

@@ -58,6 +58,14 @@ TEST_F(Recheck, ABrokenSealIsNoticed) {
   }
   write("certificates/seals", "");
   EXPECT_EQ(rtac(words).status, exit_violation);
+  // a line that was taken out
+  const std::size_t at = seals.find("  sources/spec.rta\n");
+  ASSERT_NE(at, std::string::npos) << seals;
+  const std::size_t begin = seals.rfind('\n', at) + 1;
+  write("certificates/seals", seals.substr(0, begin) + seals.substr(seals.find('\n', at) + 1));
+  const Outcome less = rtac(words);
+  EXPECT_EQ(less.status, exit_violation) << less.out;
+  EXPECT_NE(less.out.find("`sources/spec.rta` is not what was written"), std::string::npos);
   write("certificates/seals", seals);
   EXPECT_EQ(rtac(words).status, exit_clean);
 }

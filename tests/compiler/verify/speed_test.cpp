@@ -1,6 +1,8 @@
 // A recovery that drives faster than the property of another monitor allows: nobody may take it for
 // one that keeps that, also where it is acknowledged that it does not.
 #include <cstdlib>
+#include <map>
+#include <string>
 
 #include "tests/compiler/verify/testing.h"
 
@@ -48,6 +50,65 @@ TEST_F(FastRecovery, WhatIsAcknowledgedIsNotProved) {
     EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
     EXPECT_EQ(statuses(o.out, "C", "calm"), Statuses{"acknowledged"}) << order << o.out;
   }
+}
+
+// One recovery for a call home and for the walls, past a place where the robot has to be slow: that
+// it drives too fast there shows when it is called, and is told of that monitor.
+class PastASchool : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  static std::string page(const std::string& more) {
+    return R"(spec street;
+zone hall   = rectangle (0 m, 0 m) to (14 m, 10 m);
+zone school = rectangle (5 m, 3 m) to (8 m, 7 m);
+site base   = (2.55 m, 4.95 m);
+input recall : bool max_age 1 s;
+robot Cart {
+  body radius 25 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 100 ms;
+  sense velocity : vector error 2 cm/s max_age 100 ms;
+  output push : acceleration;
+  latency 40 ms;
+}
+fleet c : Cart;
+controller pilot : advanced for Cart extern;
+controller home  : safe for Cart = route to base within hall speed 0.8 m/s;
+controller stop  : safe for Cart = brake_and_hold;
+monitor called for r : Cart { "R1: home when it is called" always not recall; recover home; }
+monitor walls for r : Cart { "R2: in" always r inside hall; recover home; }
+monitor slow for r : Cart {
+  "R3: slow beside the school" always r.speed <= 0.5 m/s or distance(r, school) >= 20 cm;
+  recover stop;
+}
+decision go for Cart { advanced pilot; period 100 ms; priority called > walls > slow; )" +
+           more + " }\n";
+  }
+};
+TEST_F(PastASchool, WhoIsCalledHomeTooFastIsShown) {
+  const Outcome o = verified(page(""), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  std::map<std::string, std::string> engaged;
+  const Json report = Json::parse(o.out);
+  for (const Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] != "C" || each["monitor"] != "slow") continue;
+    ASSERT_TRUE(each.contains("engaged")) << each.dump();
+    ASSERT_EQ(each["engaged"].size(), 1U) << each.dump();
+    engaged[each["engaged"][0]] = each["status"];
+    if (each["status"] == "refuted") EXPECT_TRUE(each.contains("trace")) << each.dump();
+  }
+  const std::map<std::string, std::string> expected = {{"called", "refuted"}, {"walls", "unknown"}};
+  EXPECT_EQ(engaged, expected) << o.out;
+}
+TEST_F(PastASchool, WhatIsAcknowledgedIsOneLine) {
+  const Outcome o = verified(page("acknowledge home may break slow \"a guard walks ahead\";"),
+                             {"--format", "json"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "C", "slow"), Statuses{"acknowledged"}) << o.out;
+  EXPECT_EQ(o.out.find("\"engaged\""), std::string::npos) << o.out;
 }
 
 // It is stopped for its speed, stands, and drives again, for ever: that is accepted, and not shown
