@@ -247,13 +247,6 @@ class Recoveries {
     const std::string least = "a latency of at most " + millis(ahead_us);
     const auto others = covered ? std::vector<std::string>{}
                                 : repairs(decided_, trials_, fault_of(d.code, d.range), returns);
-    // that there is no place to return to has been told
-    const auto told = [&](const diag::Diagnostic& each) {
-      const SourceRange& at = monitor_.lookahead_source;
-      return each.code == Code::return_set_empty && each.range && each.range->file == at.file &&
-             each.range->begin == at.begin;
-    };
-    if (!others.empty() && std::ranges::any_of(diagnostics_.all(), told)) return;
     d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
              : others.empty() ? "no number alone works: a wider zone and " + least + " are needed"
                               : joined(others) + " works";

@@ -206,6 +206,7 @@ class Search {
     const Number& n = *near.number;
     const Rational before = n.of(kind_, decision_)->value;
     const auto far = n.grows ? grown_most : least_allowed(n, near.written);
+    n.of(kind_, decision_)->value = before;
     const Dial dial{dial_of(n), near.written, far,
                     [&](std::int64_t steps) { return write(n, steps); },
                     [&] { n.of(kind_, decision_)->value = before; }};

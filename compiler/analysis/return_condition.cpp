@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "compiler/analysis/at_odds.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
@@ -108,7 +109,8 @@ class Judge {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) {
       Finding a = condition(block, v->a);
-      return a ? a : condition(block, v->b);
+      if (!a) a = condition(block, v->b);
+      return a ? a : excluded(block, id);
     }
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       Finding a = condition(block, v->a);
@@ -133,6 +135,7 @@ class Judge {
       if (bound->leaf.kind == Leaf::Kind::battery) {
         return charge(bound->need.strictest, shown_full_ppm(decision_.body), strict, "", source);
       }
+      if (bound->leaf.kind == Leaf::Kind::speed) return fast(bound->need.laxest, source);
       return std::nullopt;
     }
     const auto most = ir::upper_bound(block, *compare);
@@ -197,13 +200,14 @@ class Judge {
         disc_mm(b, decision_.motions[0], b.velocity_error_mmps + apart_mmps(b), t_us);
     const auto price = price_at(module_, site, within);
     if (!price) return std::nullopt;
-    if (*price >= ir::no_way) return cramped(site, within, block[id].source);
-    const std::int64_t left = shown_full_ppm(b) - *price - decision_.hold_reserve_ppm -
-                              div_up(b.drain_ppm_per_s * div_up(t_us, 1000), 1000);
-    return charge(
-        *reserve, left, compare->strict ? 1 : 0,
-        " beyond the look-ahead, the way to `" + module_[site].name + "`, `held` and `detour`",
-        block[id].source);
+    // without any way, and so without the errors that a way has
+    const std::int64_t at_site = shown_full_ppm(b) - decision_.hold_reserve_ppm -
+                                 div_up(b.drain_ppm_per_s * div_up(t_us, 1000), 1000);
+    const bool is_priced = *price < ir::no_way;
+    if (!is_priced && *reserve <= at_site) return cramped(site, within, block[id].source);
+    const std::string way = is_priced ? ", the way to `" + module_[site].name + "`" : "";
+    return charge(*reserve, is_priced ? at_site - *price : at_site, compare->strict ? 1 : 0,
+                  " beyond the look-ahead" + way + ", `held` and `detour`", block[id].source);
   }
 
   // Of the comparisons that all have to hold, the largest clearance that can be had.
@@ -425,9 +429,13 @@ class Judge {
                            percent(shown_full_ppm(decision_.body))});
     const auto works = that_works(source, 1'000'000, least, best - strict);
     const auto less = works ? std::nullopt : consumption_for(source, least - best);
-    d.help = works  ? "`" + percent(*works) + "` works" + beyond
-             : less ? *less + " works; or a nearer site"
-                    : "no charge works" + beyond + ": " + shown_for(source, least - best);
+    // what is asked for may not be all that is wrong
+    const bool is_another = !works && !less && best - strict >= 0;
+    d.help = works        ? "`" + percent(*works) + "` works" + beyond
+             : less       ? *less + " works; or a nearer site"
+             : is_another ? "`" + percent(best - strict) + "` is shown" + beyond +
+                                ", but another error of the monitor is left with that"
+                          : "no charge works" + beyond + ": " + shown_for(source, least - best);
     return d;
   }
   // With which a full battery is seen to have so much more.
@@ -492,6 +500,26 @@ class Judge {
     const sema::Site::Place* const written = written_place(of_->spec, module_[site], room.at);
     if (written == nullptr) return std::nullopt;
     return place_that_works(*of_->trials, fault_of(of.code, of.range), written->range, room.roomy);
+  }
+  // What two comparisons ask for of one signal excludes each other.
+  Finding excluded(const ir::Block& block, ir::ValueId id) const {
+    const auto found = at_odds(block, id, decision_.facts.params);
+    if (!found) return std::nullopt;
+    diag::Diagnostic d = finding(block[found->least].source);
+    d.label = "is false wherever the other comparison is true";
+    d.notes.push_back({block[found->most].source, "this asks for less than that"});
+    d.help = "one of the two works alone";
+    return d;
+  }
+  Finding fast(std::int64_t least_mmps, const SourceRange& source) const {
+    const std::int64_t most_mmps = decision_.motions[0].speed_mmps;
+    if (least_mmps <= most_mmps) return std::nullopt;
+    diag::Diagnostic d = finding(source);
+    d.label = "no `" + decision_.kind + "` is so fast";
+    d.notes.push_back(
+        {std::nullopt, "it drives at up to " + to_decimal(Rational(most_mmps, 1000)) + " m/s"});
+    d.help = "a recovery ends at rest: `r.speed <= ...` asks for what it leads to";
+    return d;
   }
   // Measured to stand, this instant, it may still have the error of its velocity: below that no
   // sample shows it. Up to what every sample shows it is a matter of luck, which P2b does not

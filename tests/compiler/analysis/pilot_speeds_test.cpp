@@ -38,8 +38,9 @@ std::string line_text(const Loop& loop, bool in_space) {
          "controller way : safe for Bot = " +
          (in_space ? "land to 2 m" : "retreat within room") +
          " speed 1 m/s;\nmonitor fence for r : Bot { \"F\" always " +
-         (in_space ? "r.position.z <= 300 m" : "r inside room") +
-         "; recover way; }\ndecision drive for Bot { advanced any; period " +
+         (in_space ? "r.position.z <= 300 m" : "r inside room") + "; ahead " +
+         std::to_string(std::max(loop.latency_ms, loop.period_ms)) +
+         " ms; recover way; }\ndecision drive for Bot { advanced any; period " +
          std::to_string(loop.period_ms) + " ms; priority fence; }\n";
 }
 double reckoned_mps(const Loop& loop, bool in_space) {

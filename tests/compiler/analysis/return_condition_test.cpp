@@ -138,6 +138,22 @@ TEST(ReturnCondition, ConnectivesCountAsTheyAreMeant) {
   EXPECT_FALSE(is_refused(fence_returns(never + " or " + fine)));
 }
 
+TEST(ReturnCondition, ComparisonsThatExcludeEachOtherAreRefused) {
+  const std::string near = "clearance(r, floor) <= 1 m", far = "clearance(r, floor) >= 1.5 m";
+  EXPECT_TRUE(is_refused(fence_returns(near + " and " + far)));
+  EXPECT_TRUE(is_refused(fence_returns(far + " for 1 s and (r.battery >= 20 % and " + near + ")")));
+  EXPECT_FALSE(is_refused(fence_returns(near + " or " + far)));
+  // a step apart, of the same and of different signals
+  EXPECT_FALSE(is_refused(fence_returns(far + " and clearance(r, floor) <= 1.5 m")));
+  EXPECT_TRUE(is_refused(fence_returns(far + " and clearance(r, floor) < 1.5 m")));
+  EXPECT_FALSE(is_refused(fence_returns(far + " and clearance(r, hall) <= 1.4 m")));
+}
+
+TEST(ReturnCondition, ASpeedThatNoRobotHasIsRefused) {
+  EXPECT_TRUE(is_refused(fence_returns("r.speed >= 1.001 m/s")));
+  EXPECT_FALSE(is_refused(fence_returns("r.speed >= 1 m/s")));
+}
+
 // The corners of a box in space are farther apart than those of its floor; a zone of the plane has
 // no corners above each other.
 TEST(ReturnCondition, ADistanceInSpaceMayBeAsLongAsTheBoxAroundItsFence) {
@@ -359,6 +375,11 @@ decision gate for Bot { advanced job; period 100 ms; priority charge; }
   EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
   const std::string place = place_offered(*c);
   EXPECT_FALSE(is_refused(text(place))) << place;
+  // of a charge that is never shown, nor would a place that has a way help
+  const auto charged =
+      compiled(edited(text("(2 m, 1.9 m)"), "energy_to(dock) + 5 %", "energy_to(dock) + 99 %"));
+  EXPECT_NE(reports(*charged).find("a full battery does not show it"), std::string::npos);
+  EXPECT_EQ(reports(*charged).find("has no way from some places"), std::string::npos);
 }
 
 }  // namespace
