@@ -225,7 +225,7 @@ class Pair {
       const ir::Received& received = decision_.facts[zone];
       entry_.why = "where " + quoted(received.name) + " is received to be is not known, and " +
                    quoted(recovery_.name) + (received.outside ? " may enter it" : " may leave it");
-      entry_.help = "`brake_and_hold` as the recovery of " + quoted(driving_.name) + " works";
+      offer_to_stand();
       return false;
     }
     return true;
@@ -310,6 +310,11 @@ class Pair {
     offer_shared(step.zone, fence, beyond_mm);
     return false;
   }
+  void offer_to_stand() {
+    entry_.help = "`brake_and_hold` as the recovery of " + quoted(driving_.name) + " works";
+    entry_.change = Change{};
+    entry_.change->stands = static_cast<std::size_t>(&driving_ - decision_.monitors.data());
+  }
   void offer_within(ir::ZoneIndex zone, ir::ZoneIndex fence) {
     if (module_[fence].name.starts_with("outside_of_")) return;  // without an end
     const ir::Recovery& last = ir::last_step(recovery_);
@@ -349,9 +354,10 @@ class Pair {
     if (down && land_mm >= least_mm) return true;
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
-    entry_.help = "`brake_and_hold` works";
     if (down && least_mm < slabs.back().ceiling * 1000) {
-      entry_.help = "`land to " + metres(least_mm) + "` works, or " + entry_.help;
+      entry_.help = "`land to " + metres(least_mm) + "` works";
+    } else {
+      offer_to_stand();
     }
     return false;
   }
@@ -407,7 +413,7 @@ class Pair {
       if (kept) continue;
       entry_.why = quoted(recovery_.name) + " may go beyond the height that " +
                    quoted(judged_.name) + " allows";
-      entry_.help = "`brake_and_hold` works";
+      offer_to_stand();
       return false;
     }
     return true;

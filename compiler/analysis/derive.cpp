@@ -149,6 +149,12 @@ class Deriver {
     for (std::size_t k = 0; k < change.order.size(); ++k) {
       decision.priority[k] = order[change.order[k]];
     }
+    sema::Controller* const stands =
+        change.stands
+            ? &spec_.controllers[index(*spec_.monitors[index(order[*change.stands])].recover)]
+            : nullptr;
+    const auto moves = stands != nullptr ? stands->implementation : sema::BrakeAndHold{};
+    if (stands != nullptr) stands->implementation = sema::BrakeAndHold{};
     if (change.held) kind.energy->held.value = *change.held;
     if (change.detour) kind.energy->detour.value = *change.detour;
     diag::Engine aside;
@@ -157,6 +163,7 @@ class Deriver {
     if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside);
     decision.priority = order;
     kind.energy = energy;
+    if (stands != nullptr) stands->implementation = moves;
     for (std::size_t k = 0; k < returns.size(); ++k) {
       spec_.monitors[index(order[change.without_return[k]])].return_when = std::move(returns[k]);
     }

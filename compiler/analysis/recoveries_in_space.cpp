@@ -9,6 +9,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/zone_trials.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -193,7 +194,7 @@ class InSpace {
       if (fence == step.zone || convex) continue;
       const geometry::Solid from = starts.subtract(exact_(step.zone));
       if (from.empty()) continue;
-      const std::string name = "`" + module_[fence].name + "`";
+      const std::string name = name_as_written(module_[fence]);
       diag::Diagnostic d =
           finding(Code::no_way_back, "`" + step.name + "` knows a part of what `" + monitor_.name +
                                          "` allows, and may lead across what lies "
@@ -202,7 +203,13 @@ class InSpace {
       d.notes.push_back({std::nullopt, "from the rest of " + name + ", such as at a height of " +
                                            metres(from.slabs().front().floor) + " over " +
                                            some_corner(from.slabs().front().region)});
-      d.help = "a recovery within " + name + " works: it finds its ways inside";
+      const bool works = trials_ == nullptr ||  // nobody reads it
+                         works_within(*trials_, fault_of(d.code, d.range), written_.range,
+                                      step.name, module_, step.zone, {{{fence}}})
+                             .value_or(false);
+      d.help = works ? "a recovery within " + name + " works: it finds its ways inside"
+                     : "a recovery finds its ways inside of its zone: that has to be all of " +
+                           name + " that the other monitors of the decision allow";
       return d;
     }
     return std::nullopt;

@@ -252,6 +252,47 @@ TEST(Arbitration, ACircleIsFoundExactlyWhereNobodyKeepsAll) {
   EXPECT_GT(circles, 500);
 }
 
+// Whoever keeps its height may break a ceiling, and whoever stands does not: that is offered where
+// it is no worse for what the recovery is for.
+TEST(Arbitration, ToStandIsOfferedWhereItWorks) {
+  const auto page = [](const std::string& property, const std::string& recovery) {
+    return R"(spec tower;
+zone cage = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 15 m;
+input lost : bool max_age 1 s;
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 2 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense   position : point3  error 2 cm   max_age 100 ms;
+  sense   velocity : vector3 error 2 cm/s max_age 100 ms;
+  output  thrust : acceleration;
+  latency 40 ms;
+}
+fleet b : Bot;
+controller go   : advanced for Bot extern;
+controller down : safe for Bot = land to 1.5 m speed 0.4 m/s;
+controller back : safe for Bot = )" +
+           recovery + R"(;
+monitor kept for x : Bot { "R1" always )" +
+           property + R"(; recover back; }
+monitor low for x : Bot {
+  "R2: below 12 m" always x.position.z <= 12 m; recover down; hold when violated "a pilot lands it";
+}
+decision d for Bot { advanced go; period 50 ms; priority kept > low; }
+)";
+  };
+  const std::string back = "retreat within cage speed 0.4 m/s";
+  const std::string offer = "`brake_and_hold` as the recovery of `kept` works";
+  const auto lost = compiled(page("not lost", back));
+  ASSERT_TRUE(has(*lost, Code::recovery_breaks)) << reports(*lost);
+  EXPECT_NE(reports(*lost).find(offer), std::string::npos) << reports(*lost);
+  const auto stands = compiled(page("not lost", "brake_and_hold"));
+  EXPECT_FALSE(stands->diagnostics.has_errors()) << reports(*stands);
+  // which does not lead back in
+  const auto outside = compiled(page("x inside cage", back));
+  ASSERT_TRUE(has(*outside, Code::recovery_breaks)) << reports(*outside);
+  EXPECT_EQ(reports(*outside).find(offer), std::string::npos) << reports(*outside);
+}
+
 // Each message names what works, and it does.
 TEST(Arbitration, TheHelpWorks) {
   const auto c = compiled(two_zones("", "priority in_yard > in_west;"));
