@@ -9,14 +9,16 @@ namespace {
 // third.
 constexpr int runs_most = 200;
 constexpr std::int64_t effort_most = 4'500'000, effort_of_remark_most = 1'500'000;
-// Besides, runs that ask what is shown, of 5 to 15 s; after that, reports alone have to do.
+// Besides, runs that ask what is shown, of 10 to 30 s; after that, nothing more is offered.
 constexpr int shown_most = 40;
-constexpr std::int64_t effort_of_shown_most = 750'000;
+constexpr std::int64_t effort_of_shown_most = 1'500'000;
 // Where a run takes long, a number is looked for to within this share of it.
 constexpr std::int64_t near_enough = 200;
 // From the guess to the last number, each so many times nearer to that.
 constexpr std::int64_t times_farther = 4;
 constexpr std::size_t probes_most = 6;
+// Where the guess is what reports ask for, a little more is mostly what is shown: these shares.
+constexpr std::int64_t little_more[] = {100, 25};
 
 // So much less, or more, than is written is no repair.
 bool is_another_robot(std::int64_t written, std::int64_t steps) {
@@ -24,10 +26,14 @@ bool is_another_robot(std::int64_t written, std::int64_t steps) {
   return written > 0 && (steps * times < written || steps > written * times);
 }
 
-std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far) {
+std::vector<std::int64_t> probes(std::int64_t guess, std::int64_t far, bool shown) {
   std::vector<std::int64_t> all{guess};
-  while (all.back() != far && all.size() < probes_most) {
-    const std::int64_t last = all.back();
+  for (const std::int64_t share : little_more) {
+    const std::int64_t by = std::max<std::int64_t>(1, guess / share);
+    if (shown && std::abs(far - guess) > by) all.push_back(far < guess ? guess - by : guess + by);
+  }
+  const std::size_t most = all.size() - 1 + probes_most;
+  for (std::int64_t last = guess; last != far && all.size() < most; last = all.back()) {
     all.push_back(far < last ? std::max(far, last / times_farther)
                              : std::min(far, last * times_farther));
   }
@@ -155,9 +161,10 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   const Goal by_reports{fault, all_of, false}, shown{fault, all_of, true};
   const auto first = least_wrong(dial, guess, by_reports);
   if (first && is_remark(fault.code) && is_another_robot(dial.written, *first)) return std::nullopt;
-  if (!first || reports_alone_ || !may_show()) return first;
-  const auto best = least_wrong(dial, *first, shown);
-  if (!best) return may_show() ? best : first;
+  if (!first || reports_alone_) return first;
+  // what nobody has the time to show is not said to work
+  const auto best = may_show() ? least_wrong(dial, *first, shown) : std::nullopt;
+  if (!best) return std::nullopt;
   // a report that is gone may have been about one place of several
   const auto found = known_.find({dial.name, *best});
   const bool is_shown = found->second && open_at(*found->second, fault) == 0;
@@ -182,7 +189,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   std::optional<std::int64_t> good;
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
-  for (const std::int64_t at : probes(guess, dial.far)) {
+  for (const std::int64_t at : probes(guess, dial.far, goal.shown)) {
     const Faults* const found = with(dial, at, mends_it, most_effort);
     if (found != nullptr && mends(*found, goal) && no_less(*found, as_written(goal.shown)) &&
         (!good || left_by(*found) < left_by(*left))) {

@@ -194,6 +194,7 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 // drive as fast before somebody takes over, and robots may see each other early enough.
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
+         d.code == Code::landing_outside ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 
