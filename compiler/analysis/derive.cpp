@@ -65,18 +65,20 @@ class Deriver {
         evaluated_(std::move(zones)) {}
 
   static Faults faults(sema::Spec& spec, const SourceManager& sources, const Judge& judge,
-                       const Trials::Worth& worth,
+                       const Trials::Ask& ask,
                        std::shared_ptr<const EvaluatedZones> zones = nullptr) {
     diag::Engine aside;
     const bool same_zones = zones != nullptr;
     Deriver anew(spec, sources, aside, {}, false, std::move(zones));
+    anew.remarks_ = ask.remarks;
     const std::int64_t before = geometry::looks();
     auto derived = anew.run(Finding::is_told);
     Faults found = faults_of(aside);
+    found.remarks = ask.remarks;
     const std::int64_t plain = effort_of(derived ? derived->module : anew.out_.module, same_zones);
     found.effort = plain + effort_of_looks(geometry::looks() - before);
     if (!judge) return found;
-    found.complete = derived && worth(found);
+    found.complete = derived && ask.worth(found);
     if (!found.complete) return found;
     found.effort = 0;
     found.effort_of_shown = 2 * plain + effort_of_pairs(derived->module);
@@ -122,7 +124,7 @@ class Deriver {
     check_well_formed(spec_, out_.module, out_.tables, {exact, solid}, lies_, trials(),
                       diagnostics_);
     judge_return_conditions(spec_, out_.module, exact, solid);
-    check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), diagnostics_);
+    check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), remarks_, diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.
     fill_keeps(spec_, out_.module, exact, solid, lies_);
@@ -622,10 +624,12 @@ class Deriver {
   diag::Engine& diagnostics_;
   const Judge judge_;
   const bool offers_;  // false: this one is tried itself
+  bool remarks_ = true;
   // Shared with what is tried: to evaluate them takes the longest.
   std::shared_ptr<const EvaluatedZones> evaluated_;
-  Trials trials_{spec_, [this](bool same_zones, const Trials::Worth& worth) {
-                   return faults(spec_, sources_, judge_, worth, same_zones ? evaluated_ : nullptr);
+  Trials trials_{spec_, [this](const Trials::Ask& ask) {
+                   return faults(spec_, sources_, judge_, ask,
+                                 ask.same_zones ? evaluated_ : nullptr);
                  }};
   Derived out_;
   const HowItLies lies_ = [this](ir::ZoneIndex inner, const Standoff& outer) {

@@ -45,13 +45,13 @@ class Recoveries {
         trials_(trials),
         diagnostics_(diagnostics) {}
 
-  void run() {
+  void run(bool remarks) {
     look_at_places();
     if (!stays_for_received()) return;
     outward(asks_of(monitor_.property, decision_.facts.params));
     claimed();
     acts_in_time();
-    way_back();
+    if (remarks) way_back();
   }
 
  private:
@@ -470,7 +470,7 @@ class Recoveries {
 }  // namespace
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      const ExactSolid& solid, const HowItLies& lies, Trials* trials,
+                      const ExactSolid& solid, const HowItLies& lies, Trials* trials, bool remarks,
                       diag::Engine& diagnostics) {
   for (std::size_t i = 0; i < module.decisions.size(); ++i) {
     const ir::Decision& decision = module.decisions[i];
@@ -480,7 +480,7 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
       if (!written.recover) continue;
       Recoveries(spec, module, exact, solid, spec.decisions[i], decision, written,
                  decision.monitors[k], trials, diagnostics)
-          .run();
+          .run(remarks);
     }
     if (decision.body.in_space || diagnostics.has_errors()) continue;
     if (auto found =

@@ -14,8 +14,9 @@
 
 namespace rtac::analysis {
 
+// `remarks`: whether to look for parts of zones that no way leads back from (5020, 5021), too.
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
-                      const ExactSolid& solid, const HowItLies& lies, Trials* trials,
+                      const ExactSolid& solid, const HowItLies& lies, Trials* trials, bool remarks,
                       diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -92,19 +92,22 @@ std::optional<sema::ZoneId> Trials::zone_of(ir::ZoneIndex table) const {
 const Faults& Trials::as_written(bool shown) {
   if (!as_written_ || (shown && !asked_)) {
     asked_ = shown;
-    as_written_ = run_(true, [&](const Faults&) { return shown; });
+    as_written_ = run_({true, true, [&](const Faults&) { return shown; }});
   }
   return *as_written_;
 }
 
-const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Worth& worth,
-                           std::int64_t most_effort) {
+const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Goal& goal,
+                           const Worth& worth, std::int64_t most_effort) {
   const auto [at, is_new] = known_.try_emplace({dial.name, steps});
-  const bool asks_more = !is_new && at->second && !at->second->complete && worth(*at->second);
+  const bool remarks = goal.shown || is_remark(goal.fault.code);
+  const bool knows_less = !is_new && at->second && (remarks && !at->second->remarks);
+  const bool asks_more =
+      knows_less || (!is_new && at->second && !at->second->complete && worth(*at->second));
   if ((is_new || asks_more) && runs_ < runs_most && effort_ < most_effort) {
     if (dial.write(steps)) {
       ++runs_;
-      at->second = run_(!dial.of_zone, worth);
+      at->second = run_({!dial.of_zone, remarks, worth});
     }
     dial.restore();
     if (at->second) {
@@ -190,7 +193,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   const Faults* left = nullptr;
   std::int64_t bad = dial.written, before = dial.written;
   for (const std::int64_t at : probes(guess, dial.far, goal.shown)) {
-    const Faults* const found = with(dial, at, mends_it, most_effort);
+    const Faults* const found = with(dial, at, goal, mends_it, most_effort);
     if (found != nullptr && mends(*found, goal) && no_less(*found, as_written(goal.shown)) &&
         (!good || left_by(*found) < left_by(*left))) {
       good = at;
@@ -202,7 +205,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   }
   if (!good) return std::nullopt;
   const auto works = [&](std::int64_t at) {
-    const Faults* const found = with(dial, at, mends_it, most_effort);
+    const Faults* const found = with(dial, at, goal, mends_it, most_effort);
     return found != nullptr && !found->all.contains(goal.fault) && no_more_wrong(*found, *left) &&
            no_less(*found, *left);
   };

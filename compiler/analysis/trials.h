@@ -29,6 +29,7 @@ struct Fault {
 struct Faults {
   std::set<Fault> all;
   bool complete = true;  // what is not shown is among them
+  bool remarks = true;   // and what is no error: the ways of recoveries were looked at
   // That it took to find them (effort.h): by the reports alone, or with what is shown.
   std::int64_t effort = 0, effort_of_shown = 0;
 };
@@ -49,8 +50,14 @@ class Trials {
  public:
   // Of the reports alone, whether to ask what is not shown, too, which takes longer.
   using Worth = std::function<bool(const Faults&)>;
-  // What is wrong with `spec` as it is at the moment; whether its zones are as they are written.
-  using Run = std::function<Faults(bool same_zones, const Worth& worth)>;
+  // What is asked of a run; ways of recoveries take most of its time, and lead to remarks alone.
+  struct Ask {
+    bool same_zones = false;  // as they are written
+    bool remarks = true;
+    Worth worth;
+  };
+  // What is wrong with `spec` as it is at the moment.
+  using Run = std::function<Faults(const Ask& ask)>;
   Trials(sema::Spec& spec, Run run) : spec_(spec), run_(std::move(run)) {}
   // Of numbers, not by what is shown with them, which takes ten times as long.
   void go_by_reports_alone() { reports_alone_ = true; }
@@ -84,7 +91,7 @@ class Trials {
   std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
   const Faults& as_written(bool shown);
   // nullptr: refused, or too many
-  const Faults* with(const Dial& dial, std::int64_t steps, const Worth& worth,
+  const Faults* with(const Dial& dial, std::int64_t steps, const Goal& goal, const Worth& worth,
                      std::int64_t most_effort);
   // Whether it is not too much to ask what is shown.
   [[nodiscard]] bool may_show() const;

@@ -24,9 +24,11 @@ Searched searched(std::int64_t effort) {
   sema::Spec spec;
   std::int64_t number = 1;
   const Fault fault{Code::return_set_empty, {}, 0};
-  Trials trials(spec, [&](bool, const Trials::Worth&) {
+  Trials trials(spec, [&](const Trials::Ask&) {
     ++s.runs;
-    Faults faults{{}, false, effort};
+    Faults faults;
+    faults.complete = false;
+    faults.effort = effort;
     if (number < works_from) faults.all.insert(fault);
     return faults;
   });
