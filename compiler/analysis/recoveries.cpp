@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/joint_return.h"
@@ -26,6 +27,8 @@ using diag::Code;
 
 // A part of fewer cells is a notch: whoever has stopped in it sees what lies beside it.
 constexpr std::int64_t stranded_cells_least = 4;
+// What is offered in place of a zone without an end has so many times the room to return.
+constexpr std::int64_t boundless_times = 4;
 
 class Recoveries {
  public:
@@ -325,6 +328,20 @@ class Recoveries {
     return ", such as `" + module_[fences[0]].name + "`";
   }
 
+  void boundless(const ir::Recovery& last) {
+    const ir::ZoneTable& zone = module_[last.zone];
+    const std::string name = name_as_written(zone);
+    diag::Diagnostic d = finding(Code::no_way_back, "`" + controller_.name + "` moves within " +
+                                                        name + ", which has no end");
+    d.label = "nobody looks for ways over all of that";
+    d.notes.push_back({std::nullopt, "a grid over all of it has cells of " +
+                                         metres(zone.cells.cell_mm) +
+                                         ", which say nothing of ways around what bounds it"});
+    d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = "a recovery within a zone with an end is needed, such as `" +
+             bounded(zone, boundless_times * last.return_clearance_mm) + "`";
+    diagnostics_.report(std::move(d));
+  }
   // theory, P2b: parts of the zone from where the recovery finds no way to give control back.
   void way_back() {
     const ir::Recovery& last = ir::last_step(monitor_.recovery);
@@ -333,6 +350,7 @@ class Recoveries {
     if (decision_.body.in_space && !is_route) return;           // its ways are not those over cells
     if (diagnostics_.has_errors()) return;                      // numbers that do not work out yet
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
+    if (is_boundless(module_[last.zone])) return boundless(last);
     const Ways ways = ways_of(module_, decision_, last);
     // of what is only tried, all has to be looked at
     const std::vector<Stranded> parts =

@@ -1,6 +1,7 @@
 // P2a, P2b and the matrix of arbitration.
 #include <algorithm>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/in_sight.h"
@@ -245,8 +246,16 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
   const ir::Recovery& last = ir::last_step(recovery);
   const ir::ZoneTable& zone = s.module[last.zone];
-  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   o.method = "ways over cells";
+  if (analysis::is_boundless(zone)) {
+    o.status = Status::unknown;
+    o.because = analysis::name_as_written(zone) +
+                " has no end, and a grid over all of it cells of " + metres(zone.cells.cell_mm) +
+                ", which say nothing of ways around what bounds it";
+    o.repair = "a recovery within a zone with an end";
+    return o;
+  }
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   if (!ways.stranded.empty()) {
     // rather one that has been looked at; of others a run may show as much
     const auto shut = analysis::shut_off(zone.cells, last, ways);

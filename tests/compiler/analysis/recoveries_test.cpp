@@ -568,5 +568,40 @@ TEST(Recoveries, FromWhereNobodyHasLookedNothingIsSaidToLeadNowhere) {
   EXPECT_TRUE(has(*shut, diag::Code::no_way_back)) << reports(*shut);
 }
 
+// All that is outside of a pond: what is offered has an end, and works.
+TEST(Recoveries, AZoneWithoutAnEndIsOfferedOne) {
+  const auto page = [](const std::string& bank, const std::string& within) {
+    return R"(spec lake;
+zone pond = polygon [(0 m, 0 m), (3 m, 1 m), (2 m, 4 m)];
+zone land = complement(pond);
+)" + bank +
+           R"(robot Cart {
+  body     radius 15 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 8 rad/s^2; }
+  sense    position : point   error 2 cm    max_age 60 ms;
+  sense    heading  : angle   error 2 deg   max_age 60 ms;
+  sense    velocity : vector  error 3 cm/s  max_age 40 ms;
+  output   drive : twist;
+  latency  30 ms;
+}
+fleet c : Cart;
+controller job  : advanced for Cart extern;
+controller back : safe for Cart = retreat within )" +
+           within + R"( speed 0.3 m/s;
+monitor dry for r : Cart { "R1" always r inside land; recover back; }
+decision go for Cart { advanced job; period 50 ms; priority dry; }
+)";
+  };
+  const auto endless = compiled(page("", "land"));
+  ASSERT_TRUE(has(*endless, Code::no_way_back)) << reports(*endless);
+  const std::string text = reports(*endless), such = "such as `";
+  const std::size_t from = text.find(such);
+  ASSERT_NE(from, std::string::npos) << text;
+  const std::string zone =
+      text.substr(from + such.size(), text.find('`', from + such.size()) - from - such.size());
+  const auto ended = compiled(page("zone bank = " + zone + ";\n", "bank"));
+  EXPECT_TRUE(ended->diagnostics.all().empty()) << zone << "\n" << reports(*ended);
+}
+
 }  // namespace
 }  // namespace rtac::analysis
