@@ -176,6 +176,7 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
 
 std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,
                                                 const Goal& goal) {
+  as_written(goal.shown);  // before another number is written
   const auto no_less = [&](const Faults& found, const Faults& than) {
     return !goal.shown || no_more_open(found, than);
   };
