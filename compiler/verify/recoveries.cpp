@@ -241,20 +241,21 @@ Doubt doubt_of_ways(const Subject& s, const ir::Recovery& last) {
   return {on_the_rim(s, last)};
 }
 
+Obligation without_end(const ir::ZoneTable& zone, Obligation o) {
+  o.status = Status::unknown;
+  o.because = analysis::name_as_written(zone) + " has no end, and a grid over all of it cells of " +
+              metres(zone.cells.cell_mm) + ", which say nothing of ways around what bounds it";
+  o.repair = "a recovery within a zone with an end";
+  return o;
+}
+
 // A way from everywhere in the zone to where control is given back, as `liveness` finds them.
 Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
   const ir::Recovery& last = ir::last_step(recovery);
   const ir::ZoneTable& zone = s.module[last.zone];
   o.method = "ways over cells";
-  if (analysis::is_boundless(zone)) {
-    o.status = Status::unknown;
-    o.because = analysis::name_as_written(zone) +
-                " has no end, and a grid over all of it cells of " + metres(zone.cells.cell_mm) +
-                ", which say nothing of ways around what bounds it";
-    o.repair = "a recovery within a zone with an end";
-    return o;
-  }
+  if (analysis::is_boundless(zone)) return without_end(zone, std::move(o));
   const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   if (!ways.stranded.empty()) {
     // rather one that has been looked at; of others a run may show as much
