@@ -7,8 +7,8 @@
 namespace rtac::analysis {
 namespace {
 
-// Lengths of the kernel end at 2^29 mm; nobody writes an outline a tenth as wide.
-constexpr std::int64_t far_mm = 500'000'000;
+// Zones that are written lie within 100 km of the origin: what reaches farther is a complement.
+constexpr std::int64_t far_mm = 100'000'000;
 
 bool is_far(const ir::Edge& e) {
   const auto beyond = [](std::int64_t mm) { return mm < -far_mm || mm > far_mm; };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
@@ -90,13 +91,6 @@ namespace {
 
 std::int32_t in_mm(std::int64_t length) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(length, 0, 1 << 29));
-}
-// Zones lie within 100 km of the origin: what reaches farther is a complement.
-bool has_end(const ir::ZoneTable& zone) {
-  constexpr std::int64_t far_mm = 100'000'000;
-  return std::ranges::all_of(zone.edges, [](const ir::Edge& e) {
-    return std::abs(std::int64_t{e.ax}) <= far_mm && std::abs(std::int64_t{e.ay}) <= far_mm;
-  });
 }
 // How far from the boundary of the fence a body has to be, beyond touching it: with the laxest
 // parameters, and with the strictest. `alike`: with all of them each body is as far as is asked.
@@ -205,7 +199,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   query.clearance_mm = in_mm(body.radius_mm + standoff_mm + strays_mm);
   query.body_mm = in_mm(body.radius_mm + asked.laxest_mm + strays_mm);
   // what has no end is not looked at cell by cell, but where what holds meanwhile keeps bodies
-  if (!has_end(at.module[fence])) {
+  if (is_boundless(at.module[fence])) {
     query.starts = rested;
   }
   return geometry::entry(table_of(at.module[step.zone]), table_of(at.module[fence]), query).how ==
