@@ -19,6 +19,8 @@ namespace {
 using diag::Code;
 using Found = std::optional<diag::Diagnostic>;
 
+constexpr const char* lands_near = "may stray out of it";
+
 Rational thousandths(std::int64_t mm) {
   Rational m(static_cast<long>(mm), 1000);
   m.canonicalize();
@@ -232,7 +234,7 @@ class InSpace {
       const std::int64_t lowest_mm = *least_mm_ + step.route_clearance_mm - body_mm;
       if (step.land_mm < lowest_mm) {
         return too_low(step, "`" + monitor_.name + "` needs the centre above " + metres(*least_mm_),
-                       lowest_mm);
+                       lowest_mm, step.land_mm >= *least_mm_);
       }
     }
     for (const ir::ZoneIndex zone : zones_named()) {
@@ -263,7 +265,7 @@ class InSpace {
     const std::int64_t need_mm = step.route_clearance_mm;
     if (in == slabs.end()) {
       const std::int64_t floor_mm = ceil_to_int(Rational(slabs.front().floor * 1000));
-      return too_low(step, "`" + zone + "` has no place at that height", floor_mm + need_mm);
+      return too_low(step, "`" + zone + "` has no place at that height", floor_mm + need_mm, false);
     }
     auto lowest = in;
     while (lowest != slabs.begin() && std::prev(lowest)->ceiling == lowest->floor) --lowest;
@@ -272,7 +274,7 @@ class InSpace {
       return too_low(step,
                      "the floor of `" + zone + "` is at " + metres(floor_mm) + ", and `" +
                          step.name + "` keeps " + metres(need_mm) + " on its way",
-                     floor_mm + need_mm);
+                     floor_mm + need_mm, step.land_mm >= floor_mm + decision_.body.radius_mm);
     }
     // what it reaches below its end belongs to the column, too
     const Rational reach = thousandths(step.land_mm - need_mm);
@@ -286,11 +288,13 @@ class InSpace {
     }
     return std::nullopt;
   }
-  Found too_low(const ir::Recovery& step, std::string note, std::int64_t works_mm) const {
+  // `is_near`: the property holds where it is meant to end, and less room is left than it strays.
+  Found too_low(const ir::Recovery& step, std::string note, std::int64_t works_mm,
+                bool is_near) const {
     diag::Diagnostic d =
         finding(Code::landing_outside, "`" + step.name + "` lands at " + metres(step.land_mm) +
                                            ", where `" + monitor_.name + "` may be false");
-    d.label = "leads out of it";
+    d.label = is_near ? lands_near : "leads out of it";
     d.notes.push_back({std::nullopt, std::move(note)});
     const auto to_mm = height_that_works(step, d, works_mm);
     d.help = to_mm
@@ -349,6 +353,10 @@ Found misplaced_in_space(const sema::Monitor& written, const ir::Module& module,
                          const ir::Decision& decision, const ir::Monitor& monitor,
                          const ExactZone& flat, const ExactSolid& exact, Trials* trials) {
   return InSpace(written, module, decision, monitor, flat, exact, trials).run();
+}
+
+bool lands_near_the_limit(const diag::Diagnostic& report) {
+  return report.code == Code::landing_outside && report.label == lands_near;
 }
 
 }  // namespace rtac::analysis

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/analysis/joint_return.h"
+#include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/support/words.h"
@@ -194,7 +195,7 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 // drive as fast before somebody takes over, and robots may see each other early enough.
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
-         d.code == Code::landing_outside ||
+         analysis::lands_near_the_limit(d) ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 

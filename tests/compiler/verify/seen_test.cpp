@@ -162,5 +162,38 @@ decision go for Quad { advanced pilot; period 50 ms; priority m; }
   EXPECT_NE(o.err.find("error[5034]: `rec` lands at 1 m"), std::string::npos) << o.err;
 }
 
+// Where the property holds at the end of the landing, and less room is left than a landing strays,
+// it need not be broken: without a run that is unknown. Below it, it is.
+TEST_F(Seen, ALandingNearALimitIsUnknownAndOneBelowItIsRefuted) {
+  const auto landing = [&](const std::string& height) {
+    return verified(R"(spec flight;
+zone plot = box (0 m, 0 m, 0 m) to (30 m, 30 m, 40 m);
+robot Quad {
+  body radius 25 cm;
+  motion point { speed <= 2 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 2 cm max_age 100 ms;
+  sense velocity : vector3 error 2 cm/s max_age 100 ms;
+  output thrust : acceleration;
+  latency 40 ms;
+}
+fleet q : Quad;
+controller pilot : advanced for Quad extern;
+controller down : safe for Quad = land to )" +
+                        height + R"( speed 0.6 m/s;
+monitor band for r : Quad {
+  "M" always r.position.z <= 30 m and r.position.z >= 2 m; recover down; hold when violated "pilot";
+}
+decision go for Quad { advanced pilot; period 50 ms; priority band; }
+)",
+                    {"--format", "json"});
+  };
+  const Outcome near = landing("3 m");
+  EXPECT_EQ(near.status, exit_inconclusive) << near.out;
+  EXPECT_EQ(statuses(near.out, "P2a", "band"), Statuses{"unknown"}) << near.out;
+  const Outcome below = landing("1.9 m");
+  EXPECT_EQ(below.status, exit_violation) << below.out;
+  EXPECT_EQ(statuses(below.out, "P2a", "band"), Statuses{"refuted"}) << below.out;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
