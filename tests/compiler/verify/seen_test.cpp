@@ -187,7 +187,7 @@ decision go for Quad { advanced pilot; period 50 ms; priority band; }
 )",
                     {"--format", "json"});
   };
-  const Outcome near = landing("3 m");
+  const Outcome near = landing("2.1 m");
   EXPECT_EQ(near.status, exit_inconclusive) << near.out;
   EXPECT_EQ(statuses(near.out, "P2a", "band"), Statuses{"unknown"}) << near.out;
   const Outcome below = landing("1.9 m");

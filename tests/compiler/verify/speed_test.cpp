@@ -98,7 +98,9 @@ TEST_F(PastASchool, WhoIsCalledHomeTooFastIsShown) {
     ASSERT_TRUE(each.contains("engaged")) << each.dump();
     ASSERT_EQ(each["engaged"].size(), 1U) << each.dump();
     engaged[each["engaged"][0]] = each["status"];
-    if (each["status"] == "refuted") EXPECT_TRUE(each.contains("trace")) << each.dump();
+    if (each["status"] == "refuted") {
+      EXPECT_TRUE(each.contains("trace")) << each.dump();
+    }
   }
   const std::map<std::string, std::string> expected = {{"called", "refuted"}, {"walls", "unknown"}};
   EXPECT_EQ(engaged, expected) << o.out;
