@@ -139,6 +139,18 @@ void tell(const char* what, const std::vector<std::string>& lines, std::ostream&
   }
 }
 
+// The files of the folder that say what is proved, and of what. Lemmas and models are held against
+// those that this program knows.
+std::vector<std::string> read_of(const std::string& folder, const Compilation& c) {
+  std::vector<std::string> all = {"specification", "verification.json"};
+  for (const std::string& path : c.dependencies) {
+    all.push_back(fs::weakly_canonical(path)
+                      .lexically_relative(fs::weakly_canonical(folder))
+                      .generic_string());
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string write_certificates(const Compilation& c, const verify::Report& report,
@@ -206,7 +218,7 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
       [&](const std::string& lemma) { return prove(lemma, folder, scratch.path(), hangs); },
       [&](const protocol::Model& model) { return prove_model(model, folder); }};
   const recheck::Outcome outcome = recheck::recheck(*c.spec, c.sources, *report, provers);
-  const std::vector<std::string> broken = broken_seals(folder);
+  const std::vector<std::string> broken = broken_seals(folder, read_of(folder, c));
   for (const std::string& file : broken) {
     out << "not proved: `" << file << "` is not what was written: its seal is broken\n";
   }

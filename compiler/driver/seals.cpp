@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <iterator>
 #include <sstream>
 
 #include "compiler/driver/files.h"
@@ -23,30 +21,6 @@ std::vector<Seal> seals_in(const std::string& folder) {
     if (blank != std::string::npos) all.push_back({line.substr(0, blank), line.substr(blank + 2)});
   }
   return all;
-}
-
-// What certificates are made of: what lies beside that is nobody's evidence.
-bool is_evidence(const std::string& path) {
-  static constexpr std::string_view files[] = {"specification", "verification.json"};
-  static constexpr std::string_view folders[] = {"lemmas/", "models/", "sources/"};
-  return std::find(std::begin(files), std::end(files), path) != std::end(files) ||
-         std::any_of(std::begin(folders), std::end(folders),
-                     [&](std::string_view each) { return path.rfind(each, 0) == 0; });
-}
-// A line may be taken out of the seals as well as a file is changed.
-std::vector<std::string> unsealed(const std::string& folder, const std::vector<Seal>& seals) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> found;
-  std::error_code error;
-  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    const std::string path = fs::path(at->path()).lexically_relative(folder).generic_string();
-    const bool named = std::any_of(seals.begin(), seals.end(),
-                                   [&](const Seal& seal) { return seal.path == path; });
-    if (!named && is_evidence(path) && at->is_regular_file(error)) found.push_back(path);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 }  // namespace
@@ -76,7 +50,8 @@ std::string sealed_anew(const std::string& folder) {
   return all;
 }
 
-std::vector<std::string> broken_seals(const std::string& folder) {
+std::vector<std::string> broken_seals(const std::string& folder,
+                                      const std::vector<std::string>& read) {
   const std::vector<Seal> seals = seals_in(folder);
   if (seals.empty()) return {seals_name};
   std::vector<std::string> broken;
@@ -84,7 +59,11 @@ std::vector<std::string> broken_seals(const std::string& folder) {
     const auto text = read_file(folder + "/" + seal.path);
     if (!text || sum_of(*text) != seal.sum) broken.push_back(seal.path);
   }
-  for (std::string& path : unsealed(folder, seals)) broken.push_back(std::move(path));
+  // a line may be taken out of the seals as well as a file is changed
+  for (const std::string& path : read) {
+    const auto is_it = [&](const Seal& seal) { return seal.path == path; };
+    if (std::none_of(seals.begin(), seals.end(), is_it)) broken.push_back(path);
+  }
   return broken;
 }
 

@@ -21,8 +21,9 @@ std::string seals_of(std::vector<std::pair<std::string, std::string_view>> files
 // The same of the files that the seals of a folder name, as they are now.
 std::string sealed_anew(const std::string& folder);
 
-// The files of the folder that are not what was sealed, are missing, or that nobody sealed; all of it
-// without seals.
-std::vector<std::string> broken_seals(const std::string& folder);
+// The files of the folder that are not what was sealed, are missing, or of those that are `read`,
+// by their paths below the folder, that nobody sealed; all of it without seals.
+std::vector<std::string> broken_seals(const std::string& folder,
+                                      const std::vector<std::string>& read);
 
 }  // namespace rtac::driver
