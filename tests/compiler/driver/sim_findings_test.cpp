@@ -91,7 +91,7 @@ robot R {
 fleet x : R;
 controller a : advanced for R extern;
 controller c : safe for R = retreat within z speed 0.4 m/s;
-monitor m for r : R { "T-1: in" always r inside z; recover c; }
+monitor m for r : R { "T-1: in" always r inside z; ahead 400 ms; recover c; }
 decision d for R { advanced a; period 50 ms; priority m; }
 )");
   const Outcome proved = rtac({"verify", "late.rta"});
