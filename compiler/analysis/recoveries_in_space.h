@@ -25,8 +25,8 @@ std::optional<diag::Diagnostic> misplaced_in_space(
     const sema::Monitor& written, const ir::Module& module, const ir::Decision& decision,
     const ir::Monitor& monitor, const ExactZone& flat, const ExactSolid& exact, Trials* trials);
 
-// Of a landing that is refused (5034), that the property holds where it is meant to end: it need not
-// be broken.
+// Of a landing that is refused (5034), that the property holds where it is meant to end: it need
+// not be broken.
 bool lands_near_the_limit(const diag::Diagnostic& report);
 
 }  // namespace rtac::analysis
