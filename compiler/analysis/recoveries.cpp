@@ -228,8 +228,8 @@ class Recoveries {
   }
 
   // theory, horizon: the module runs every Delta; a command that acts later than the look-ahead
-  // lasts is overtaken by the next decisions before it does anything. Every horizon contains the
-  // latency, so that this is safe; no look-ahead that covers it may leave a place to return to.
+  // lasts is overtaken by the next decisions before it does anything. No look-ahead that covers it
+  // may leave a place to return to.
   void acts_in_time() {
     const std::int64_t latency_us = decision_.body.latency_us;
     const std::int64_t ahead_us = monitor_.lookahead.duration_us;

@@ -32,7 +32,7 @@ class Damage {
 
   std::vector<Start> run() {
     const Region allowed = centres_of(s_, judged_, 0).intersect(unlimited());
-    Region from = allowed;
+    Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
       if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
