@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <vector>
 
@@ -36,27 +37,46 @@ double children_s() {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-// `rtac sim`, a batch of attacks of 10 s each on a fence with one robot. What it takes to compile
-// the kernel is in a short batch as well as in a long one.
-bool measure_batch(int repetitions, Report& report) {
+// `rtac sim`, a batch of attacks of 10 s each on a fence with one robot, in robot-hours per second.
+// What it takes to compile the kernel is in a short batch as well as in a long one.
+bool batch_hours_per_s(double& result) {
   constexpr int few = 100, many = 2100;
   constexpr double hours = (many - few) * 10.0 / 3600;
   const campaign::Row row{"", "templates/retreat_point", "", 0, "templates/point.json"};
-  std::vector<double> batch;
-  for (int i = 0; i < repetitions; ++i) {
-    double spent_s[2] = {};
-    for (const int runs : {few, many}) {
-      const double from_s = children_s();
-      if (campaign::attack(row, "", runs).status != 0) {
-        std::fputs("rtac_bench: a batch of attacks did not run to its end\n", stderr);
-        return false;
-      }
-      spent_s[runs == many] = children_s() - from_s;
+  double spent_s[2] = {};
+  for (const int runs : {few, many}) {
+    const double from_s = children_s();
+    const campaign::Attack attack = campaign::attack(row, "", runs);
+    if (attack.status != 0) {
+      std::fprintf(stderr, "rtac_bench: a batch of attacks did not run to its end: %s\n",
+                   attack.said.c_str());
+      return false;
     }
-    batch.push_back(hours / (spent_s[1] - spent_s[0]));
+    spent_s[runs == many] = children_s() - from_s;
+  }
+  result = hours / (spent_s[1] - spent_s[0]);
+  return true;
+}
+
+bool measure_batch(int repetitions, Report& report) {
+  std::vector<double> decided, undecided, ratio;
+  for (int i = 0; i < repetitions; ++i) {
+    double with = 0, without = 0;
+    if (!batch_hours_per_s(with)) return false;
+    ::setenv("RTAC_SIM", RTAC_BENCH_UNDECIDED, 1);
+    const bool ran = batch_hours_per_s(without);
+    ::unsetenv("RTAC_SIM");
+    if (!ran) return false;
+    decided.push_back(with);
+    undecided.push_back(without);
+    ratio.push_back(with / without);
   }
   report.add("simulation_batch", "rtac sim: attacks on a decision and its retreat, in a batch",
-             spread_of(batch), "robot-hours/s", 3);
+             spread_of(decided), "robot-hours/s", 3);
+  report.add("simulation_batch_undecided", "the same attacks without the decision",
+             spread_of(undecided), "robot-hours/s", 3);
+  report.add("simulation_batch_ratio", "in the loop / without the decision", spread_of(ratio), "x",
+             3);
   return true;
 }
 
