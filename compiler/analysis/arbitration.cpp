@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
@@ -316,7 +317,7 @@ class Pair {
     entry_.change->stands = static_cast<std::size_t>(&driving_ - decision_.monitors.data());
   }
   void offer_within(ir::ZoneIndex zone, ir::ZoneIndex fence) {
-    if (module_[fence].name.starts_with("outside_of_")) return;  // without an end
+    if (is_boundless(module_[fence])) return;
     const ir::Recovery& last = ir::last_step(recovery_);
     const std::string name = name_as_written(module_[fence]);
     entry_.within.push_back({last.kind == ir::RecoveryKind::route
@@ -355,7 +356,7 @@ class Pair {
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
     if (down && least_mm < slabs.back().ceiling * 1000) {
-      entry_.help = "`land to " + metres(least_mm) + "` works";
+      entry_.help = "`land to " + metres(least_mm) + "` keeps " + quoted(module_[fence].name);
     } else {
       offer_to_stand();
     }

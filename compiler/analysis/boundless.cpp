@@ -7,11 +7,12 @@
 namespace rtac::analysis {
 namespace {
 
-// Zones that are written lie within 100 km of the origin: what reaches farther is a complement.
-constexpr std::int64_t far_mm = 100'000'000;
+// geometry, Region::everywhere: a complement reaches 536 km from the origin along each axis, and is
+// snapped to the grid there.
+constexpr std::int64_t end_mm = 536'000'000 - 1'000;
 
-bool is_far(const ir::Edge& e) {
-  const auto beyond = [](std::int64_t mm) { return mm < -far_mm || mm > far_mm; };
+bool is_at_the_end(const ir::Edge& e) {
+  const auto beyond = [](std::int64_t mm) { return mm <= -end_mm || mm >= end_mm; };
   return beyond(e.ax) || beyond(e.ay) || beyond(e.bx) || beyond(e.by);
 }
 std::string place(std::int64_t x_m, std::int64_t y_m) {
@@ -21,24 +22,36 @@ std::string place(std::int64_t x_m, std::int64_t y_m) {
 }  // namespace
 
 bool is_boundless(const ir::ZoneTable& zone) {
-  return std::ranges::any_of(zone.edges, is_far);
+  return std::ranges::any_of(zone.edges, is_at_the_end);
 }
 
-std::string bounded(const ir::ZoneTable& zone, std::int64_t wider_mm) {
-  std::int64_t low_x = INT64_MAX, low_y = INT64_MAX, high_x = INT64_MIN, high_y = INT64_MIN;
-  for (const ir::Edge& e : zone.edges) {
-    if (is_far(e)) continue;
-    low_x = std::min<std::int64_t>({low_x, e.ax, e.bx});
-    low_y = std::min<std::int64_t>({low_y, e.ay, e.by});
-    high_x = std::max<std::int64_t>({high_x, e.ax, e.bx});
-    high_y = std::max<std::int64_t>({high_y, e.ay, e.by});
+Box box_around(const ir::ZoneTable& zone, const std::vector<ir::SiteTable::Place>& places,
+               std::int64_t wider_mm) {
+  std::vector<std::int64_t> xs, ys;
+  for (const ir::SiteTable::Place& p : places) {
+    xs.push_back(p.x_mm);
+    ys.push_back(p.y_mm);
   }
-  if (low_x > high_x) low_x = low_y = high_x = high_y = 0;
-  const std::int64_t wider_m = wider_mm / 1000 + 1;
+  for (const ir::Edge& e : zone.edges) {
+    if (is_at_the_end(e)) continue;
+    xs.insert(xs.end(), {e.ax, e.bx});
+    ys.insert(ys.end(), {e.ay, e.by});
+  }
+  if (xs.empty()) xs = ys = {0};
+  const auto low = [&](const std::vector<std::int64_t>& all) {
+    return (std::ranges::min(all) - wider_mm) / 1000 - 1;
+  };
+  const auto high = [&](const std::vector<std::int64_t>& all) {
+    return (std::ranges::max(all) + wider_mm) / 1000 + 1;
+  };
+  return {low(xs), low(ys), high(xs), high(ys)};
+}
+
+std::string bounded(const ir::ZoneTable& zone, const Box& box) {
   std::string name = name_as_written(zone);
   std::erase(name, '`');
-  return name + " & rectangle " + place(low_x / 1000 - wider_m, low_y / 1000 - wider_m) + " to " +
-         place(high_x / 1000 + wider_m, high_y / 1000 + wider_m);
+  return name + " & rectangle " + place(box.low_x, box.low_y) + " to " +
+         place(box.high_x, box.high_y);
 }
 
 }  // namespace rtac::analysis

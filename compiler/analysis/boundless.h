@@ -5,16 +5,23 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
 
-// Of a zone of the plane: whether nothing that is written bounds it.
+// Of a zone of the plane: whether it reaches the end of the coordinates.
 bool is_boundless(const ir::ZoneTable& zone);
 
-// "hall & rectangle (-12 m, -12 m) to (15 m, 16 m)": what of it lies within a box around all that
-// bounds it from inside, so much wider.
-std::string bounded(const ir::ZoneTable& zone, std::int64_t wider_mm);
+struct Box {  // m
+  std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
+};
+// Around all that bounds such a zone from inside and the places that a robot has to get to, so much
+// wider.
+Box box_around(const ir::ZoneTable& zone, const std::vector<ir::SiteTable::Place>& places,
+               std::int64_t wider_mm);
+// "hall & rectangle (-12 m, -12 m) to (15 m, 16 m)": what of the zone lies in the box.
+std::string bounded(const ir::ZoneTable& zone, const Box& box);
 
 }  // namespace rtac::analysis

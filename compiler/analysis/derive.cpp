@@ -151,12 +151,17 @@ class Deriver {
     for (std::size_t k = 0; k < change.order.size(); ++k) {
       decision.priority[k] = order[change.order[k]];
     }
-    sema::Controller* const stands =
-        change.stands
-            ? &spec_.controllers[index(*spec_.monitors[index(order[*change.stands])].recover)]
-            : nullptr;
-    const auto moves = stands != nullptr ? stands->implementation : sema::BrakeAndHold{};
-    if (stands != nullptr) stands->implementation = sema::BrakeAndHold{};
+    // another one for that monitor alone: others may recover by the same
+    sema::Monitor* const stands =
+        change.stands ? &spec_.monitors[index(order[*change.stands])] : nullptr;
+    const auto recovers = stands != nullptr ? stands->recover : std::nullopt;
+    if (stands != nullptr) {
+      sema::Controller standing = spec_[*recovers];
+      standing.name += " that stands";
+      standing.implementation = sema::BrakeAndHold{};
+      stands->recover = sema::ControllerId(spec_.controllers.size());
+      spec_.controllers.push_back(std::move(standing));
+    }
     if (change.held) kind.energy->held.value = *change.held;
     if (change.detour) kind.energy->detour.value = *change.detour;
     diag::Engine aside;
@@ -165,7 +170,10 @@ class Deriver {
     if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside);
     decision.priority = order;
     kind.energy = energy;
-    if (stands != nullptr) stands->implementation = moves;
+    if (stands != nullptr) {
+      stands->recover = recovers;
+      spec_.controllers.pop_back();
+    }
     for (std::size_t k = 0; k < returns.size(); ++k) {
       spec_.monitors[index(order[change.without_return[k]])].return_when = std::move(returns[k]);
     }

@@ -143,6 +143,23 @@ std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sou
   });
 }
 
+std::optional<std::int64_t> lookahead_that_works(Trials& trials, const Sought& sought,
+                                                 const std::string& monitor) {
+  auto& all = trials.spec().monitors;
+  const auto found = std::ranges::find(all, monitor, &sema::Monitor::name);
+  if (found == all.end()) return std::nullopt;
+  const auto written = found->ahead.duration;
+  const Dial dial{"ahead of " + monitor, sought.written, sought.far,
+                  [&](std::int64_t steps) {
+                    sema::Quantity duration = written.value_or(sema::Quantity{});
+                    duration.value = value_of(steps, sought.per_unit);
+                    found->ahead.duration = duration;
+                    return true;
+                  },
+                  [&] { found->ahead.duration = written; }};
+  return trials.nearest(dial, sought.guess, sought.fault, sought.all_of);
+}
+
 bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of,
                    const std::string& recovery, const std::string& name, sema::ZoneId from,
                    sema::Zone zone) {

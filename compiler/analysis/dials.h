@@ -37,6 +37,9 @@ std::optional<std::int64_t> recovery_speed_that_works(Trials& trials, const Soug
                                                       const std::string& recovery);
 std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sought,
                                                const std::string& recovery);
+// How far ahead a monitor looks, whether that is written or not.
+std::optional<std::int64_t> lookahead_that_works(Trials& trials, const Sought& sought,
+                                                 const std::string& monitor);
 // Whether it works when a recovery moves in another zone than in `from`; `name`: of no other one.
 bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of,
                    const std::string& recovery, const std::string& name, sema::ZoneId from,

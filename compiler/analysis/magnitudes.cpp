@@ -118,8 +118,9 @@ class Checker {
     }
     refuse(push, k, others, push.value.value > held,
            works.empty()
-               ? "no number alone works: a stronger brake and `accel` are needed, or less "
-                 "that pushes, or a faster recovery"
+               ? as_tried(trials_,
+                          "no number alone works: a stronger brake and `accel` are needed, or less "
+                          "that pushes, or a faster recovery")
                : joined(works) + " works");
   }
   // The number nearest to the written one that works, in m/s^2; none: others have to change with

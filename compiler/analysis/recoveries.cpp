@@ -16,6 +16,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/widening.h"
+#include "compiler/analysis/zone_trials.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
@@ -29,6 +30,7 @@ using diag::Code;
 constexpr std::int64_t stranded_cells_least = 4;
 // What is offered in place of a zone without an end has so many times the room to return.
 constexpr std::int64_t boundless_times = 4;
+using Places = std::vector<ir::SiteTable::Place>;
 
 class Recoveries {
  public:
@@ -247,13 +249,33 @@ class Recoveries {
     d.label = covered ? "the latency is longer than the look-ahead"
                       : "no look-ahead that covers the latency leaves a place to return to";
     d.notes.push_back({spec_[written_.kind].latency.range, "the latency is declared here"});
-    const std::string least = "a latency of at most " + millis(ahead_us);
     const auto others = covered ? std::vector<std::string>{}
                                 : repairs(decided_, trials_, fault_of(d.code, d.range), returns);
-    d.help = covered          ? "`ahead " + millis(latency_us) + "` works, or " + least
-             : others.empty() ? "no number alone works: a wider zone and " + least + " are needed"
-                              : joined(others) + " works";
+    const std::string least = "a latency of at most " + millis(ahead_us);
+    d.help =
+        covered ? timely(fault_of(d.code, d.range), latency_us, ahead_us)
+        : others.empty()
+            ? as_tried(trials_, "no number alone works: a wider zone and " + least + " are needed")
+            : joined(others) + " works";
     diagnostics_.report(std::move(d));
+  }
+  // A look-ahead that covers the latency, or a latency that is covered.
+  std::string timely(const Fault& fault, std::int64_t latency_us, std::int64_t ahead_us) const {
+    if (trials_ == nullptr) return "";  // nobody reads it
+    const std::int64_t ahead_ms = ahead_us / 1000, latency_ms = (latency_us + 999) / 1000;
+    const auto longer = lookahead_that_works(
+        *trials_, {fault, 1000, ahead_ms, latency_ms, 2 * latency_ms}, monitor_.name);
+    sema::RobotKind& kind = trials_->spec().kinds[static_cast<std::size_t>(written_.kind)];
+    const auto sooner = quantity_that_works(*trials_, {fault, 1000, 0, ahead_ms, 0},
+                                            "latency of " + kind.name, kind.latency);
+    const std::string latency =
+        sooner ? "a latency of at most " + std::to_string(*sooner) + " ms" : "";
+    if (longer) {
+      return "`ahead " + std::to_string(*longer) + " ms` works" + (sooner ? ", or " + latency : "");
+    }
+    return sooner ? latency + " works"
+                  : as_tried(trials_, "no number alone works: `ahead " + millis(latency_us) +
+                                          "` or less of a latency, and a wider zone are needed");
   }
   // With a look-ahead that covers the latency, each zone that a recovery of the decision ends in,
   // or that a property keeps the robot in, has a place to return to.
@@ -338,9 +360,19 @@ class Recoveries {
                                          metres(zone.cells.cell_mm) +
                                          ", which say nothing of ways around what bounds it"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "a recovery within a zone with an end is needed, such as `" +
-             bounded(zone, boundless_times * last.return_clearance_mm) + "`";
+    d.help = "a recovery within a zone with an end " + ended(last, zone, d);
     diagnostics_.report(std::move(d));
+  }
+  std::string ended(const ir::Recovery& last, const ir::ZoneTable& zone,
+                    const diag::Diagnostic& of) const {
+    if (trials_ == nullptr) return "works";  // nobody reads it
+    const bool is_route = last.kind == ir::RecoveryKind::route;
+    const Box box = box_around(zone, is_route ? module_[last.site].places : Places{},
+                               boundless_times * last.return_clearance_mm);
+    const bool works = works_in_box(*trials_, fault_of(of.code, of.range), written_.range,
+                                    last.name, module_, last.zone, box)
+                           .value_or(false);
+    return works ? "works, such as `" + bounded(zone, box) + "`" : "is needed";
   }
   // theory, P2b: parts of the zone from where the recovery finds no way to give control back.
   void way_back() {

@@ -9,6 +9,7 @@
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -53,8 +54,11 @@ class InSpace {
     collect_heights();
   }
 
-  // The first step that leads out of what it should keep.
+  // The first step that leads out of what it should keep; one that is slow enough keeps it
+  // anywhere.
   Found run() const {
+    const auto k = static_cast<std::size_t>(&monitor_ - decision_.monitors.data());
+    if (holds_while_driving(decision_, k, monitor_)) return std::nullopt;
     for (const ir::Recovery* step : ir::steps_of(monitor_.recovery)) {
       Found found;
       if (ir::moves(step->kind) || step->claims) found = within_zone(*step);
@@ -239,7 +243,7 @@ class InSpace {
     }
     for (const ir::ZoneIndex zone : zones_named()) {
       if (!module_[zone].has_height()) continue;
-      if (Found found = column(step, module_[zone].name, exact_(zone))) return found;
+      if (Found found = column(step, zone, exact_(zone))) return found;
     }
     return std::nullopt;
   }
@@ -255,9 +259,17 @@ class InSpace {
     });
     return all;
   }
+  // The most that the property asks for beyond the body, on either side of an `or`.
+  [[nodiscard]] std::int64_t asked_mm(ir::ZoneIndex fence) const {
+    std::int64_t most = 0;
+    for (const Standoff& each : fence_standoffs(monitor_.property, decision_.facts.params)) {
+      if (each.zone == fence) most = std::max(most, each.mm);
+    }
+    return most;
+  }
   // Every place above has all of the way down below it.
-  Found column(const ir::Recovery& step, const std::string& zone,
-               const geometry::Solid& solid) const {
+  Found column(const ir::Recovery& step, ir::ZoneIndex fence, const geometry::Solid& solid) const {
+    const std::string& zone = module_[fence].name;
     const Rational end = thousandths(step.land_mm);
     const std::vector<geometry::Slab>& slabs = solid.slabs();
     const auto in = std::ranges::find_if(
@@ -274,7 +286,8 @@ class InSpace {
       return too_low(step,
                      "the floor of `" + zone + "` is at " + metres(floor_mm) + ", and `" +
                          step.name + "` keeps " + metres(need_mm) + " on its way",
-                     floor_mm + need_mm, step.land_mm >= floor_mm + decision_.body.radius_mm);
+                     floor_mm + need_mm,
+                     step.land_mm >= floor_mm + decision_.body.radius_mm + asked_mm(fence));
     }
     // what it reaches below its end belongs to the column, too
     const Rational reach = thousandths(step.land_mm - need_mm);

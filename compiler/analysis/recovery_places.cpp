@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/sides.h"
@@ -187,7 +188,7 @@ class Places {
   std::string lies_in(const ir::Recovery& step, ir::ZoneIndex zone) const {
     const std::string in = "a zone that lies in " + name_of(zone);
     if (trials_ == nullptr) return in + " works";  // nobody reads it
-    const bool out = module_[zone].name.starts_with("outside_of_") || step.claims;
+    const bool out = is_boundless(module_[zone]) || step.claims;
     std::vector<ZonePart> parts{{{zone}, out ? kept_mm(step, zone) : 0}};
     if (out) parts.insert(parts.begin(), {{step.zone}});
     const std::string such = written_as(*trials_, module_, parts);

@@ -14,6 +14,7 @@
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/tables.h"
+#include "compiler/analysis/told.h"
 #include "compiler/analysis/widening.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
@@ -102,6 +103,22 @@ class Judge {
   }
   std::optional<ir::ChargeForWay> way_of(const ir::Block& block, const ir::AtLeast& compare) const {
     return ir::charge_for_way(block, compare, decision_.facts.params);
+  }
+
+  // No inputs are ever seen to make it true.
+  Finding never_told(const sema::Expr& e) const {
+    if (told_to_be(of_->spec, e, true, ToldHow::seen).can != CanBeTold::no) return std::nullopt;
+    diag::Diagnostic d = finding(e.range);
+    const Told exactly = told_to_be(of_->spec, e, true, ToldHow::exactly);
+    const bool hidden = exactly.can == CanBeTold::yes;
+    d.label = hidden ? "no inputs are seen to make it true" : "no inputs make it true";
+    if (hidden) {
+      d.notes.push_back({std::nullopt, "it is true with " + told_text(of_->spec, exactly.inputs) +
+                                           ", which the errors of what is measured hide"});
+    }
+    d.help = hidden ? "less of an error is needed, or a condition that is not so narrow"
+                    : "a condition that some inputs make true is needed";
+    return d;
   }
 
   // The condition as written.
@@ -289,8 +306,9 @@ class Judge {
              (room < table.widest_mm ? ", and in no whole cell more than " + metres(room) : "") +
              "; body, errors and the age of a sample take " + metres(taken)});
     const auto works = that_works(source, 1000, least, best - strict);
-    d.help = works ? "a clearance of " + metres(*works) + " works"
-                   : "no clearance works: widen the zone";
+    d.help = works                ? "a clearance of " + metres(*works) + " works"
+             : best - strict >= 0 ? "no more than " + metres(best - strict) + " is shown there"
+                                  : "no clearance works: widen the zone";
     return d;
   }
 
@@ -429,13 +447,12 @@ class Judge {
                            percent(shown_full_ppm(decision_.body))});
     const auto works = that_works(source, 1'000'000, least, best - strict);
     const auto less = works ? std::nullopt : consumption_for(source, least - best);
-    // what is asked for may not be all that is wrong
-    const bool is_another = !works && !less && best - strict >= 0;
-    d.help = works        ? "`" + percent(*works) + "` works" + beyond
-             : less       ? *less + " works; or a nearer site"
-             : is_another ? "`" + percent(best - strict) + "` is shown" + beyond +
-                                ", but another error of the monitor is left with that"
-                          : "no charge works" + beyond + ": " + shown_for(source, least - best);
+    // as much as can be shown; what is asked for may not be all that is wrong
+    const bool is_shown = !works && !less && best - strict >= 0;
+    d.help = works      ? "`" + percent(*works) + "` works" + beyond
+             : less     ? *less + " works; or a nearer site"
+             : is_shown ? "no more than `" + percent(best - strict) + "` is shown" + beyond
+                        : "no charge works" + beyond + ": " + shown_for(source, least - best);
     return d;
   }
   // With which a full battery is seen to have so much more.
@@ -508,7 +525,7 @@ class Judge {
     diag::Diagnostic d = finding(block[found->least].source);
     d.label = "is false wherever the other comparison is true";
     d.notes.push_back({block[found->most].source, "this asks for less than that"});
-    d.help = "one of the two works alone";
+    d.help = "leave one of the two out";
     return d;
   }
   Finding fast(std::int64_t least_mmps, const SourceRange& source) const {
@@ -577,10 +594,13 @@ std::optional<diag::Diagnostic> hopeless_return(const Decided& of, std::size_t k
                                                 const ExactZones& exact) {
   const Judge judge(of.module, of.decision, k, &of, &exact);
   const ir::Monitor& monitor = of.decision.monitors[k];
+  const sema::Monitor& written = of.spec[of.written.priority[k]];
   if (const auto& when = monitor.return_when) {
     if (Finding found = judge.condition(*when, when->result)) return found;
+    if (Finding found = judge.never_told(*written.return_when)) return found;
   }
-  return judge.property(monitor.property, monitor.property.result);
+  Finding found = judge.property(monitor.property, monitor.property.result);
+  return found ? found : judge.never_told(*written.always);
 }
 
 }  // namespace rtac::analysis

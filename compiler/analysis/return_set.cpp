@@ -217,7 +217,10 @@ class ReturnSet {
     const std::string zone = wider_zone(fault),
                       one = others.empty() ? "" : joined(others) + " works";
     if (!zone.empty()) return ": " + zone + (one.empty() ? "" : "; or " + one);
-    return one.empty() ? ", nor any one other number: several have to change" : ": " + one;
+    if (!one.empty()) return ": " + one;
+    return of_.trials != nullptr && of_.trials->ran_out()
+               ? "; " + as_tried(of_.trials, "")
+               : ", nor any one other number: several have to change";
   }
 
   // The return condition of the monitor itself asks for more, in another zone than it retreats in.

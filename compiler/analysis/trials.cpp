@@ -83,6 +83,14 @@ Faults faults_of(const diag::Engine& diagnostics) {
   return found;
 }
 
+std::string as_tried(const Trials* trials, std::string none) {
+  if (trials == nullptr || !trials->ran_out()) return none;
+  return "there was no time to try more numbers" +
+         std::string(trials->by_reports_alone()
+                         ? ""
+                         : "; `rtac check` offers those that its reports ask for");
+}
+
 std::optional<sema::ZoneId> Trials::zone_of(ir::ZoneIndex table) const {
   const auto found = std::ranges::find(zones_, std::optional(table));
   if (found == zones_.end()) return std::nullopt;
@@ -104,7 +112,11 @@ const Faults* Trials::with(const Dial& dial, std::int64_t steps, const Goal& goa
   const bool knows_less = !is_new && at->second && (remarks && !at->second->remarks);
   const bool asks_more =
       knows_less || (!is_new && at->second && !at->second->complete && worth(*at->second));
-  if ((is_new || asks_more) && runs_ < runs_most && effort_ < most_effort) {
+  const bool may_run = runs_ < runs_most && effort_ < most_effort;
+  if ((is_new || asks_more) && !may_run) {
+    ran_out_ = true;
+    if (knows_less) return nullptr;
+  } else if (is_new || asks_more) {
     if (dial.write(steps)) {
       ++runs_;
       at->second = run_({!dial.of_zone, remarks, worth});
@@ -166,6 +178,7 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   if (first && is_remark(fault.code) && is_another_robot(dial.written, *first)) return std::nullopt;
   if (!first || reports_alone_) return first;
   // what nobody has the time to show is not said to work
+  if (!may_show()) ran_out_ = true;
   const auto best = may_show() ? least_wrong(dial, *first, shown) : std::nullopt;
   if (!best) return std::nullopt;
   // a report that is gone may have been about one place of several
@@ -178,7 +191,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
                                                 const Goal& goal) {
   as_written(goal.shown);  // before another number is written
   const auto no_less = [&](const Faults& found, const Faults& than) {
-    return !goal.shown || no_more_open(found, than);
+    return !goal.shown || (found.complete && no_more_open(found, than));
   };
   const auto left_by = [&](const Faults& found) {
     return wrong(found) + (goal.shown ? open_at(found, goal.fault) : 0);

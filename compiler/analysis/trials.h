@@ -62,6 +62,9 @@ class Trials {
   // Of numbers, not by what is shown with them, which takes ten times as long.
   void go_by_reports_alone() { reports_alone_ = true; }
   [[nodiscard]] bool by_reports_alone() const { return reports_alone_; }
+  // Whether some number was not tried, or what is shown with it, for want of time: where none was
+  // found since, one may work all the same.
+  [[nodiscard]] bool ran_out() const { return ran_out_; }
   // To be changed, and to be as it was afterwards.
   [[nodiscard]] sema::Spec& spec() const { return spec_; }
   // Of the specification as it is written.
@@ -90,7 +93,7 @@ class Trials {
   };
   std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
   const Faults& as_written(bool shown);
-  // nullptr: refused, or too many
+  // nullptr: refused, or too many; or what is asked of it is not known
   const Faults* with(const Dial& dial, std::int64_t steps, const Goal& goal, const Worth& worth,
                      std::int64_t most_effort);
   // Whether it is not too much to ask what is shown.
@@ -101,12 +104,15 @@ class Trials {
   sema::Spec& spec_;
   Run run_;
   std::vector<std::optional<ir::ZoneIndex>> zones_;  // by ZoneId
-  bool reports_alone_ = false;
+  bool reports_alone_ = false, ran_out_ = false;
   int runs_ = 0, shown_ = 0;
   std::int64_t effort_ = 0, effort_of_shown_ = 0;
   std::optional<Faults> as_written_;
   bool asked_ = false;  // what is not shown of it
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
 };
+
+// What is said where no number was found: `none`, if all were tried.
+std::string as_tried(const Trials* trials, std::string none);
 
 }  // namespace rtac::analysis

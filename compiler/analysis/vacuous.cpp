@@ -75,8 +75,8 @@ const char* const by_itself = "truth ";
 
 class Finder {
  public:
-  Finder(const ir::Module& module, const ir::Decision& decision)
-      : module_(module), decision_(decision) {}
+  Finder(const ir::Module& module, const ir::Decision& decision, CanBeTold told)
+      : module_(module), decision_(decision), told_(told) {}
 
   Any find(const ir::Block& block, ir::ValueId id, bool value) {
     const ir::Op& op = block[id].op;
@@ -273,7 +273,8 @@ class Finder {
     const bool apart = std::all_of(first.told.begin(), first.told.end(), [](const auto& fact) {
       return fact.first.starts_with(by_itself);
     });
-    if (first.told.size() > 1 && !apart) first.can = CanFail::open;
+    const bool known = apart || told_ == CanBeTold::yes;
+    if (first.told.size() > 1 && !known) first.can = CanFail::open;
     for (const auto& [leaf, way] : second.ways) {
       const auto [at, is_new] = first.ways.try_emplace(leaf, way);
       if (!is_new && at->second != way) first.can = CanFail::open;
@@ -349,16 +350,19 @@ class Finder {
 
   const ir::Module& module_;
   const ir::Decision& decision_;
+  CanBeTold told_;
 };
 
 }  // namespace
 
 Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
-                   const ir::Block& property) {
-  Finder finder(module, decision);
+                   const ir::Block& property, CanBeTold told) {
+  if (told == CanBeTold::no) return {CanFail::no, {"no inputs make it false"}};
+  Finder finder(module, decision, told);
   const Any states = finder.find(property, property.result, false);
-  const auto found = std::find_if(states.begin(), states.end(),
-                                  [](const State& s) { return s.can == CanFail::yes; });
+  const auto found = std::find_if(states.begin(), states.end(), [&](const State& s) {
+    return s.can == CanFail::yes && (s.told.empty() || told == CanBeTold::yes);
+  });
   Vacuity out;
   if (found != states.end()) {
     out.can_fail = CanFail::yes;

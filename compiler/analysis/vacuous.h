@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/told.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
@@ -16,7 +17,8 @@ struct Vacuity {
   std::vector<std::string> because;
 };
 // Never false is a property that finds nothing, whatever the robots do.
+// `told`: whether inputs can make it false, as far as it is up to them.
 Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
-                   const ir::Block& property);
+                   const ir::Block& property, CanBeTold told);
 
 }  // namespace rtac::analysis

@@ -79,7 +79,7 @@ class WellFormed {
           diagnostics_.report(std::move(*found));
         }
         site(decided, monitor);
-        vacuous(decision, monitor);
+        vacuous(decided, monitor);
       }
     }
   }
@@ -93,8 +93,11 @@ class WellFormed {
              d.range->file == found.range->file && d.range->begin == found.range->begin;
     });
   }
-  void vacuous(const ir::Decision& decision, const ir::Monitor& monitor) {
-    const Vacuity vacuity = vacuity_of(module_, decision, monitor.property);
+  void vacuous(const Decided& of, const ir::Monitor& monitor) {
+    const auto k = static_cast<std::size_t>(&monitor - of.decision.monitors.data());
+    const sema::Expr& written = *spec_[of.written.priority[k]].always;
+    const CanBeTold told = told_to_be(spec_, written, false, ToldHow::exactly).can;
+    const Vacuity vacuity = vacuity_of(module_, of.decision, monitor.property, told);
     if (vacuity.can_fail != CanFail::no) return;
     diag::Diagnostic d{};
     d.code = Code::monitor_vacuous;

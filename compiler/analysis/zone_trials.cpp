@@ -116,6 +116,26 @@ std::optional<bool> works_within(Trials& trials, const Fault& fault, const Sourc
                        std::move(*zone));
 }
 
+std::optional<bool> works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                                 const std::string& recovery, const ir::Module& module,
+                                 ir::ZoneIndex from, const Box& box) {
+  const auto old = trials.zone_of(from);
+  auto zone = old ? made(trials, module, from, {{{from}}}) : std::nullopt;
+  if (!zone || zone->frame != sema::map_frame) return std::nullopt;
+  const auto corner = [](std::int64_t x_m, std::int64_t y_m) {
+    return sema::Point{Rational(static_cast<long>(x_m)), Rational(static_cast<long>(y_m))};
+  };
+  sema::ZonePolygon rectangle;
+  rectangle.outer.points = {corner(box.low_x, box.low_y), corner(box.high_x, box.low_y),
+                            corner(box.high_x, box.high_y), corner(box.low_x, box.high_y)};
+  const SourceRange range = zone->value->range;
+  auto end = std::make_unique<ZoneExpr>(ZoneExpr{range, std::move(rectangle)});
+  zone->value = std::make_unique<ZoneExpr>(
+      ZoneExpr{range, sema::ZoneBinary{ZoneOp::intersect, std::move(zone->value), std::move(end)}});
+  return works_in_zone(trials, fault, all_of, recovery, "a box in " + module[from].name, *old,
+                       std::move(*zone));
+}
+
 std::string written_as(const Trials& trials, const ir::Module& module,
                        const std::vector<ZonePart>& parts) {
   const ZoneExprPtr value = Writer(trials, module, {}).common(parts);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/support/source.h"
@@ -24,7 +25,11 @@ struct ZonePart {
 std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
                                  const std::string& recovery, const ir::Module& module,
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts);
-// That zone as in zone_text.h.
+// The same for what of `from` lies in a box; none: `from` is in a frame of its own, too.
+std::optional<bool> works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                                 const std::string& recovery, const ir::Module& module,
+                                 ir::ZoneIndex from, const Box& box);
+// What works_within tries, as in zone_text.h.
 std::string written_as(const Trials& trials, const ir::Module& module,
                        const std::vector<ZonePart>& parts);
 

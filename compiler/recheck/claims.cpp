@@ -14,6 +14,7 @@
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
 #include "compiler/recheck/sums.h"
+#include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -121,7 +122,7 @@ Found Claims::check(const Claim& claim) {
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
       {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
       {"level", &Claims::level},         {"comes_in", &Claims::comes_in},
-      {"parting", &Claims::parting}};
+      {"parting", &Claims::parting},     {"told", &Claims::told}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -199,6 +200,9 @@ Found Claims::horizon(const Values& v) {
     return wrong("it looks less far ahead than " + std::to_string(*ahead) + " us");
   }
   if (micro(*ahead) < least) return wrong("the look-ahead is shorter than the period asks for");
+  if (kind.latency.value > micro(*ahead)) {
+    return wrong("a command acts later than the look-ahead lasts");
+  }
   if (micro(*horizon) < micro(*ahead) + kind.latency.value + jitter_of(spec_, *d)) {
     return wrong("the horizon leaves out the latency or the jitter");
   }
@@ -742,6 +746,20 @@ Found Claims::fails(const Values& v) {
   if (m == nullptr) return wrong("no such monitor");
   if (!can_be(spec_, zones_, *d, *m->always, false)) return wrong("the property is never false");
   return std::nullopt;
+}
+
+// Inputs with which the property is seen to be true, or is false, as far as it is up to them.
+Found Claims::told(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr) return wrong("no such monitor");
+  const auto inputs = told_inputs(spec_, text(v, "inputs"));
+  const std::string value = text(v, "value");
+  if (!inputs || (value != "true" && value != "false")) {
+    return wrong("the inputs cannot be measured so");
+  }
+  if (told_makes(spec_, *m->always, *inputs, value == "true")) return std::nullopt;
+  return wrong("with those inputs the property need not be " + value);
 }
 
 Found Claims::known(const Values& v) {

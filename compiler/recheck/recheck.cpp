@@ -16,6 +16,7 @@
 #include "compiler/recheck/seen.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sums.h"
+#include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
 #include "compiler/sema/templates.h"
@@ -222,10 +223,13 @@ class Check {
     if (e.kind == switching) return need(d, e, "protocol");
     if (d.on_plan && e.kind != "satisfiable") return need(d, e, "judged");
     if (e.kind == "P1a") return need(d, e, "horizon", of_monitor);
-    if (e.kind == "not vacuous") return need(d, e, "fails", of_monitor);
     if (e.kind == "joint return") return joint(d, e);
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr) return fail(whom(d, e) + ": there is no such monitor");
+    if (e.kind == "not vacuous") {
+      told(d, e, *m, "false");
+      return need(d, e, "fails", of_monitor);
+    }
     if (e.kind == "P2a") return keeps(d, e, *m);
     if (e.kind == "P2b") return returns(d, e, *m);
     if (e.kind == "P3") {
@@ -247,11 +251,16 @@ class Check {
     if (zones.empty() && !has(e, "seen", {{"decision", d.name}, {"monitor", m.name}})) {
       need(d, e, "limits");
     }
+    told(d, e, m, "true");
     if (d.on_plan) return;
     one_place(d, e, m);
     if (const std::string limit = limit_unseen(spec_, d, *m.always); !limit.empty()) {
       fail(whom(d, e) + ": " + limit);
     }
+  }
+  void told(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const char* value) {
+    if (told_in(spec_, *m.always).empty()) return;
+    need(d, e, "told", {{"monitor", m.name}, {"value", value}});
   }
   // All zones are seen at one place, and of each `or` one side.
   void one_place(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {

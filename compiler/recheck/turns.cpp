@@ -66,7 +66,7 @@ class Turns {
     bool other = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) {
       other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
-              ((!zones.empty() || is_height(e)) && is_choice(e));
+              ((!zones.empty() || is_height(e)) && is_choice(e) && sema::speaks_of_robot(e));
     });
     if (other) return false;
     return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {

@@ -28,10 +28,14 @@ constexpr std::int64_t spare_ppm = 2'000;
 class Damage {
  public:
   Damage(const Subject& s, std::size_t driving, std::size_t judged)
-      : s_(s), driving_(s.decision.monitors[driving]), judged_(s.decision.monitors[judged]) {}
+      : s_(s),
+        driving_(s.decision.monitors[driving]),
+        judged_(s.decision.monitors[judged]),
+        is_too_fast_(!slow_enough(s, driving, judged)) {}
 
   std::vector<Start> run() {
-    const Region allowed = centres_of(s_, judged_, 0).intersect(unlimited());
+    Region allowed = centres_of(s_, judged_, 0);
+    if (is_too_fast_) allowed = allowed.intersect(unlimited());
     Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
@@ -75,7 +79,8 @@ class Damage {
   }
 
  private:
-  // Where no limit of speed holds that one side of an `or` sets, as the other side does.
+  // Of a property with a limit of speed on one side of an `or` ("slow, or far from the school"):
+  // where the other side holds, so that a robot of any speed is allowed there.
   [[nodiscard]] Region unlimited() const {
     Region all = Region::everywhere();
     if (!atoms_of(judged_.property).speed) return all;
@@ -261,6 +266,7 @@ class Damage {
   const Subject& s_;
   const ir::Monitor& driving_;
   const ir::Monitor& judged_;
+  bool is_too_fast_;  // drives faster than a limit of what is judged
 };
 
 }  // namespace

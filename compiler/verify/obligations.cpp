@@ -95,10 +95,7 @@ class Prover {
     take([&] { return control_returns(s_, k); });
     take([&] { return drives_until_next(s_, k); });
     take([&] { return can_hold(s_, k); });
-    // of inputs alone, nothing is asked of the module
-    if (!atoms_of(s_.decision.monitors[k].property).only_facts()) {
-      take([&] { return can_fail(s_, k); });
-    }
+    take([&] { return can_fail(s_, k); });
   }
   // A recovery of several monitors keeps another one for the same reasons, whomever it drives for:
   // that is one line, which rests on what is claimed of each.
@@ -108,7 +105,8 @@ class Prover {
     const auto same = std::find_if(all.begin(), all.end() - 1, [&](const Obligation& o) {
       return o.kind == last.kind && o.monitor == last.monitor && o.recovery == last.recovery &&
              o.status == last.status && o.method == last.method && o.because == last.because &&
-             o.repair == last.repair && o.by_a_run == last.by_a_run;
+             o.repair == last.repair && o.by_a_run == last.by_a_run &&
+             (o.status != Status::refuted || o.unmet == last.unmet);
     });
     if (same == all.end() - 1) return;
     for (Claim& claim : last.claims) {

@@ -10,6 +10,7 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/told.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/geometry/crowding.h"
 #include "compiler/support/words.h"
@@ -261,6 +262,40 @@ std::optional<Obligation> too_narrow_on_each_side(const Subject& s, const ir::Mo
   return std::nullopt;
 }
 
+// Inputs with which it is seen to hold, or else is false.
+analysis::Told told_for(const Subject& s, std::size_t k, bool holds) {
+  return analysis::told_to_be(s.spec, *s.monitor(k).always, holds,
+                              holds ? analysis::ToldHow::seen : analysis::ToldHow::exactly);
+}
+Obligation not_told(Obligation o, const analysis::Told& told) {
+  if (told.can == analysis::CanBeTold::open) {
+    o.method = "no proof";
+    o.because = "no inputs were found with which it is seen to hold";
+    return o;
+  }
+  o.status = Status::refuted;
+  o.method = "interval search";
+  o.because = "no inputs are seen to make it true, whatever the robots do";
+  o.repair = "a property that can be seen to be true works";
+  return o;
+}
+void claim_told(const Subject& s, std::size_t k, bool holds, const analysis::Told& told,
+                Obligation& o) {
+  if (told.inputs.empty()) return;
+  std::string inputs;
+  for (const analysis::ToldInput& each : told.inputs) {
+    const sema::Input& input = s.spec[each.input];
+    inputs += (inputs.empty() ? "" : ";") + input.name + "." + std::to_string(each.component) +
+              "=" + each.value.get_str();
+  }
+  o.because += (o.because.empty() ? "with " : ", with ") + analysis::told_text(s.spec, told.inputs);
+  o.claims.push_back({"told",
+                      {{"decision", s.decision.name},
+                       {"monitor", s.decision.monitors[k].name},
+                       {"value", holds ? "true" : "false"},
+                       {"inputs", inputs}}});
+}
+
 }  // namespace
 
 Obligation can_hold(const Subject& s, std::size_t k) {
@@ -281,6 +316,8 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     return o;
   }
   if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
+  const analysis::Told told = told_for(s, k, true);
+  if (told.can != analysis::CanBeTold::yes) return not_told(std::move(o), told);
   o.status = Status::proved;
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
@@ -326,12 +363,15 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.because = "a robot at rest that is far from others and charged is seen to keep it";
     o.claims.push_back(limits_claim(s));
   }
+  claim_told(s, k, true, told, o);
   return o;
 }
 
 Obligation can_fail(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
-  const analysis::Vacuity vacuity = analysis::vacuity_of(s.module, s.decision, m.property);
+  const analysis::Told told = told_for(s, k, false);
+  const analysis::Vacuity vacuity =
+      analysis::vacuity_of(s.module, s.decision, m.property, told.can);
   Obligation o;
   o.kind = Kind::not_vacuous;
   o.monitor = m.name;
@@ -356,6 +396,7 @@ Obligation can_fail(const Subject& s, std::size_t k) {
   o.method = "witness";
   o.because = because.empty() ? "what it is told may make it false" : "it is false " + because;
   o.claims.push_back({"fails", {{"decision", s.decision.name}, {"monitor", m.name}}});
+  claim_told(s, k, false, told, o);
   return o;
 }
 

@@ -697,7 +697,9 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   const bool of_inputs = atoms_of(i.property).only_facts();
   if (of_inputs) o.unmet = i.name;
   if (o.unending) return o;
-  if (!o.starts.empty() && inputs_decide(s, i, o.starts.front().place_mm)) {
+  // that its way leads there breaks a limit of speed only at that speed, which a run shows
+  if (!o.starts.empty() && !atoms_of(j.property).speed &&
+      inputs_decide(s, i, o.starts.front().place_mm)) {
     o.by_a_run = false;
     o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
                  ", its way leads out of what " + quoted(j.name) + " says";

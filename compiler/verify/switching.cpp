@@ -66,6 +66,14 @@ Obligation decided_in_time(const Subject& s, std::size_t k) {
     o.because = "the look-ahead is declared unsound: " + unsound_reason(s, k);
     return o;
   }
+  if (s.decision.body.latency_us > m.lookahead.duration_us) {
+    o.status = Status::refuted;
+    o.because = "a command acts " + millis(s.decision.body.latency_us) +
+                " after it is decided, and " + quoted(m.name) + " looks " +
+                millis(m.lookahead.duration_us) + " ahead";
+    o.repair = "a latency of at most " + millis(m.lookahead.duration_us) + " is needed";
+    return o;
+  }
   o.status = Status::proved;
   o.because = "decided every " + millis(s.decision.period_us) + ", which a look-ahead of " +
               millis(m.lookahead.duration_us) + " covers, with " +

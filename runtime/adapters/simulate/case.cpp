@@ -246,11 +246,6 @@ DecisionCase decision(const Json& j, const Case& all) {
     read_mentions(m.at("property"), at, d);
     d.properties.push_back(property(m.at("property")));
   }
-  // of two robots that keep a distance each takes its part of it
-  const bool pairs =
-      std::any_of(d.properties.begin(), d.properties.end(),
-                  [](const sim::Property& p) { return speaks_of(p, sim::PropertyOp::distance); });
-  if (pairs && d.robots.size() > 1) d.standing_m *= 2;
   for (const Zone& zone : all.zones) {
     // Every edge is looked at: a mistake in the tables of the kernel must not judge itself.
     d.surroundings.zones.push_back(zone.view);

@@ -81,7 +81,7 @@ struct DecisionCase {
   int number = 0;  // of the kernel's functions
   bool twist = false;
   TimeUs period_us = 0;
-  double standing_m = 0;  // that robots at rest need to spare to be kept where they are
+  double standing_m = 0;  // that a robot at rest needs to spare to be kept where it is
   std::size_t plan_capacity = 0;
   int surrender_mode = 1;
   bool judges_commands = false;  // what is proposed is judged before it is sent

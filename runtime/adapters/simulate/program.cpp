@@ -307,8 +307,9 @@ class Program {
     out_ << "\nviolated: " << m.name << " (" << m.text << ") by "
          << decision.robots[static_cast<std::size_t>(v.robot)] << " at "
          << static_cast<double>(v.time_us) / us_per_s << " s, down to "
-         << margin_text(m, outcome.least[monitor].value) << "\n  --seed " << setup.seed
-         << " --runs 1 --adversary " << setup.adversary->name << "\n";
+         << margin_text(m, outcome.least[monitor].value)
+         << (v.time_us == 0 ? ", where the scenario lets it start" : "") << "\n  --seed "
+         << setup.seed << " --runs 1 --adversary " << setup.adversary->name << "\n";
     tell_inputs(decision, setup);
   }
 

@@ -40,16 +40,24 @@ double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths
   return least;
 }
 
-// Whether robots at rest have the lengths that they need to spare; what charges have to spare is
-// another matter.
-bool stands(const DecisionCase& d, const std::vector<TruthState>& truths) {
-  for (const sim::Property& p : d.properties) {
-    const bool of_lengths =
-        sim::steepness_per_m(p) > 0 || sim::speaks_of(p, sim::PropertyOp::agent_distance);
-    if (!of_lengths) continue;
-    for (std::size_t i = 0; i < truths.size(); ++i) {
-      const double margin = margin_of(p, scene_of(d.surroundings, truths, static_cast<int>(i)));
-      if (margin < d.standing_m) return false;
+// Whether a robot at rest has the lengths that it needs to spare, and of a distance between two
+// robots what both of them need; what charges have to spare is another matter.
+bool stands(const sim::Property& p, const DecisionCase& d, const sim::Scene& scene) {
+  if (p.op == sim::PropertyOp::logical_and) {
+    return std::all_of(p.of.begin(), p.of.end(),
+                       [&](const sim::Property& part) { return stands(part, d, scene); });
+  }
+  const bool of_lengths =
+      sim::steepness_per_m(p) > 0 || sim::speaks_of(p, sim::PropertyOp::agent_distance);
+  if (!of_lengths) return true;
+  const int robots = sim::speaks_of(p, sim::PropertyOp::distance) ? 2 : 1;
+  return margin_of(p, scene) >= robots * d.standing_m;
+}
+bool stand(const DecisionCase& d, const std::vector<TruthState>& truths) {
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const sim::Scene scene = scene_of(d.surroundings, truths, static_cast<int>(i));
+    for (const sim::Property& p : d.properties) {
+      if (!stands(p, d, scene)) return false;
     }
   }
   return true;
@@ -98,12 +106,12 @@ bool place(const DecisionCase& d, const Field& field, const Start* fixed, Random
     if (fixed != nullptr && fixed->place) return true;  // as the author of the scenario wants it
     const double margin = least_margin(d, truths);
     if (margin < 0) continue;
-    if (margin > best_margin && stands(d, truths)) {
+    if (margin > best_margin && stand(d, truths)) {
       best_margin = margin;
       best = truth;
     }
     ++admissible;
-    if (margin >= std::max(wide, d.standing_m)) break;
+    if (best_margin >= wide) break;
     if (admissible >= tries_wide && best_margin >= 0) break;
   }
   truths.back() = best;
@@ -122,7 +130,7 @@ bool place_together(const DecisionCase& d, const Field& field, const Scenario& s
     for (std::size_t i = 0; i < truths.size(); ++i) {
       draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
     }
-    if (least_margin(d, truths) >= 0 && stands(d, truths)) return true;
+    if (least_margin(d, truths) >= 0 && stand(d, truths)) return true;
   }
   return false;
 }

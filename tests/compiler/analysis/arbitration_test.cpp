@@ -293,6 +293,47 @@ decision d for Bot { advanced go; period 50 ms; priority kept > low; }
   EXPECT_EQ(reports(*outside).find(offer), std::string::npos) << reports(*outside);
 }
 
+// What stands in its place does so for that monitor alone: others go on with what they share.
+TEST(Arbitration, ToStandIsTriedForOneMonitor) {
+  const auto page = [](const std::string& of_other, const std::string& of_first) {
+    return R"(spec tower;
+zone cage = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 15 m;
+input lost : bool max_age 1 s;
+input hot : bool max_age 1 s;
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 2 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense   position : point3  error 2 cm   max_age 100 ms;
+  sense   velocity : vector3 error 2 cm/s max_age 100 ms;
+  output  thrust : acceleration;
+  latency 40 ms;
+}
+fleet b : Bot;
+controller go    : advanced for Bot extern;
+controller down  : safe for Bot = land to 1.5 m speed 0.4 m/s;
+controller back  : safe for Bot = retreat within cage speed 0.4 m/s;
+controller stand : safe for Bot = brake_and_hold;
+monitor kept for x : Bot { "R1" always not lost; recover )" +
+           of_first + R"(; }
+monitor cool for x : Bot { "R3" always )" +
+           of_other + R"(; recover back; }
+monitor low for x : Bot {
+  "R2: below 12 m" always x.position.z <= 12 m; recover down; hold when violated "a pilot lands it";
+}
+decision d for Bot { advanced go; period 50 ms; priority kept > cool > low; }
+)";
+  };
+  const std::string offer = "`brake_and_hold` as the recovery of `kept` works";
+  for (const char* of_other : {"not hot", "x inside cage"}) {
+    const auto moves = compiled(page(of_other, "back")), stands = compiled(page(of_other, "stand"));
+    const auto errors = [](const driver::Compilation& c) { return c.diagnostics.error_count(); };
+    EXPECT_EQ(reports(*moves).find(offer) != std::string::npos, errors(*stands) < errors(*moves))
+        << of_other << "\n"
+        << reports(*moves) << "\n"
+        << reports(*stands);
+  }
+}
+
 // Each message names what works, and it does.
 TEST(Arbitration, TheHelpWorks) {
   const auto c = compiled(two_zones("", "priority in_yard > in_west;"));

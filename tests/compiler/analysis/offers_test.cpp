@@ -139,6 +139,36 @@ decision guard for Rover { advanced ac; period 200 ms; priority pondoff > dryin;
       << found->help;
 }
 
+// Nor is one that has a name of its own: the next report would ask for an end.
+TEST(Offers, NoZoneWithoutAnEnd) {
+  const auto c = compiled(R"(spec lake;
+zone pond = polygon [(2 m, 2 m), (5 m, 3 m), (4 m, 6 m)];
+zone land = complement(pond);
+zone yard = rectangle (0 m, 0 m) to (20 m, 20 m);
+zone bank = yard - pond;
+input lost : bool max_age 1 s;
+robot Cart {
+  body     radius 15 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 8 rad/s^2; }
+  sense    position : point   error 2 cm    max_age 60 ms;
+  sense    heading  : angle   error 2 deg   max_age 60 ms;
+  sense    velocity : vector  error 3 cm/s  max_age 40 ms;
+  output   drive : twist;
+  latency  30 ms;
+}
+fleet c : Cart;
+controller job  : advanced for Cart extern;
+controller back : safe for Cart = retreat within yard speed 0.3 m/s;
+controller off  : safe for Cart = retreat within bank speed 0.3 m/s;
+monitor found for r : Cart { "R2" always not lost; recover back; }
+monitor dry for r : Cart { "R1" always r inside land and r inside yard; recover off; }
+decision go for Cart { advanced job; period 50 ms; priority found > dry; }
+)");
+  const auto* const breaks = first(*c, Code::recovery_breaks);
+  ASSERT_NE(breaks, nullptr) << reports(*c);
+  EXPECT_FALSE(offers(breaks->help, "within `land`")) << breaks->help;
+}
+
 // Of three fields that are left by each other's recoveries one zone in all of them is offered, and
 // tried.
 std::string three_fields(const std::string& in_a, const std::string& in_b,

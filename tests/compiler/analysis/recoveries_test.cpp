@@ -12,6 +12,7 @@ namespace {
 
 using diag::Code;
 using test::compiled;
+using test::edited;
 using test::has;
 using test::reports;
 using test::without_offers;
@@ -601,6 +602,37 @@ decision go for Cart { advanced job; period 50 ms; priority dry; }
       text.substr(from + such.size(), text.find('`', from + such.size()) - from - such.size());
   const auto ended = compiled(page("zone bank = " + zone + ";\n", "bank"));
   EXPECT_TRUE(ended->diagnostics.all().empty()) << zone << "\n" << reports(*ended);
+}
+
+// A zone far from the origin has an end all the same.
+TEST(Recoveries, AZoneFarAwayHasAnEnd) {
+  const auto c = compiled(edited(text_of({}), "rectangle (0 m, 0 m) to (5 m, 5 m)",
+                                 "rectangle (150000 m, 0 m) to (150005 m, 5 m)"));
+  EXPECT_TRUE(c->diagnostics.all().empty()) << reports(*c);
+}
+
+// A longer look-ahead is offered where it works, and a shorter latency else.
+TEST(Recoveries, ALookAheadIsOfferedThatWorks) {
+  const std::string page = R"(spec slow;
+robot Cart {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 100 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 100 ms;
+  output   push : acceleration;
+  latency  300 ms;
+}
+fleet c : Cart;
+controller any  : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor slow for r : Cart { "R1: slow" always r.speed <= 0.85 m/s; ahead 100 ms; recover stop; }
+decision go for Cart { advanced any; period 100 ms; priority slow; }
+)";
+  const std::string said = reports(*compiled(page));
+  EXPECT_EQ(said.find("`ahead 300 ms` works"), std::string::npos) << said;
+  EXPECT_NE(said.find("(a latency of at most 100 ms works)"), std::string::npos) << said;
+  EXPECT_TRUE(compiled(edited(page, "latency  300 ms", "latency  100 ms"))->module);
+  EXPECT_FALSE(compiled(edited(page, "ahead 100 ms", "ahead 300 ms"))->module);
 }
 
 }  // namespace

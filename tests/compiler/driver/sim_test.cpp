@@ -256,6 +256,7 @@ TEST_F(Simulations, AScenarioSaysWhereRobotsStart) {
   const Outcome o = rtac({"sim", "spec.rta", "--scenario", "out.json"});
   EXPECT_EQ(o.status, 3) << o.err;
   EXPECT_NE(o.out.find("by r1 at 0 s, down to -1.2"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find(", where the scenario lets it start\n"), std::string::npos) << o.out;
 }
 
 // Three numbers are a place in space, and two one of the plane.

@@ -16,6 +16,9 @@ using sim::PropertyOp;
 constexpr double standing_m = 0.2, apart_m = 2;
 constexpr std::int32_t hall_mm[] = {0,      0,      20'000, 0,      20'000, 0,      20'000, 10'000,
                                     20'000, 10'000, 0,      10'000, 0,      10'000, 0,      0};
+// Between its walls a robot has 0.3 m to spare at most: what one needs, and two do not have.
+constexpr std::int32_t corridor_mm[] = {0,      0,     20'000, 0,     20'000, 0,     20'000, 1'000,
+                                        20'000, 1'000, 0,      1'000, 0,      1'000, 0,      0};
 
 // Three robots in a hall, each of which keeps a distance from all others, or from some.
 DecisionCase hall(PropertyOp whom) {
@@ -65,6 +68,25 @@ TEST(Starts, LeaveRoomToStandAlsoWhereNobodyCanBeAlone) {
       simulate::Setup setup;
       ASSERT_FALSE(make_setup(d, {}, seed, setup)) << seed;
       ASSERT_EQ(setup.starts.size(), d.robots.size());
+      EXPECT_GE(spare_of(d, setup), standing_m) << seed;
+    }
+  }
+}
+
+// A distance is kept by two, and a fence by each alone.
+TEST(Starts, AskOfAFenceWhatOneRobotNeeds) {
+  for (const bool joined : {false, true}) {
+    DecisionCase d = hall(PropertyOp::forall);
+    d.surroundings.zones.front().edges_mm = corridor_mm;
+    if (joined) {
+      Property both;
+      both.op = PropertyOp::logical_and;
+      both.of = d.properties;
+      d.properties = {both};
+    }
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      simulate::Setup setup;
+      ASSERT_FALSE(make_setup(d, {}, seed, setup)) << seed;
       EXPECT_GE(spare_of(d, setup), standing_m) << seed;
     }
   }

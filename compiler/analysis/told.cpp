@@ -1,0 +1,406 @@
+#include "compiler/analysis/told.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "compiler/sema/visit.h"
+
+namespace rtac::analysis {
+namespace {
+
+constexpr int boxes_most = 2'000;
+// Beyond what an input without a range may be, in SI units.
+const Rational endless = 1'000'000'000;
+
+enum class Truth3 { no, open, yes };
+Truth3 negated(Truth3 t) {
+  return t == Truth3::open ? t : t == Truth3::yes ? Truth3::no : Truth3::yes;
+}
+Truth3 from(bool yes) {
+  return yes ? Truth3::yes : Truth3::no;
+}
+
+struct Span {
+  Rational lo, hi;
+};
+using Number = std::optional<Span>;  // none: nobody knows
+
+Span hull(std::initializer_list<Rational> ends) {
+  return {*std::ranges::min_element(ends), *std::ranges::max_element(ends)};
+}
+
+// What is told: a component of an input, or a parameter.
+struct Name {
+  bool is_param = false;
+  std::uint32_t index = 0, component = 0;
+  auto operator<=>(const Name&) const = default;
+};
+struct Variable {
+  Span span;
+  Rational error, step;  // of what is measured; 0: any value
+  bool is_whole = false;
+};
+using Variables = std::map<Name, Variable>;
+using Box = std::map<Name, Span>;
+
+// A property in a box.
+class Reader {
+ public:
+  // `stays`: inputs are what they are for ever, so that the past is as now.
+  Reader(const sema::Spec& spec, const Box& box, bool stays)
+      : spec_(spec), box_(box), stays_(stays) {}
+
+  // `suits`: what anything is that inputs do not decide.
+  [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
+    if (const auto* v = std::get_if<sema::Truth>(&e.node)) return from(v->value);
+    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, suits);
+    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, suits);
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return told(*v, suits);
+    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) return is_value(*v, suits);
+    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) return same(*v, suits);
+    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return held(*v->operand, suits);
+    if (const auto* v = std::get_if<sema::Previously>(&e.node)) return past(*v->operand, suits);
+    if (const auto* v = std::get_if<sema::Past>(&e.node)) {
+      const bool now = sgn(v->interval.from.value) == 0;
+      const bool always = v->op == sema::PastOp::historically;
+      return now && always ? held(*v->operand, suits) : past(*v->operand, suits);
+    }
+    return from(suits);
+  }
+
+ private:
+  [[nodiscard]] Truth3 all(const sema::Logic& v, bool suits, bool conjunction) const {
+    const Truth3 end = conjunction ? Truth3::no : Truth3::yes;
+    Truth3 found = negated(end);
+    for (const auto& operand : v.operands) {
+      const Truth3 each = truth(*operand, suits);
+      if (each == end) return end;
+      if (each == Truth3::open) found = Truth3::open;
+    }
+    return found;
+  }
+  [[nodiscard]] Truth3 logic(const sema::Logic& v, bool suits) const {
+    switch (v.op) {
+      case sema::LogicOp::logical_not:
+        return negated(truth(*v.operands[0], !suits));
+      case sema::LogicOp::logical_and:
+        return all(v, suits, true);
+      case sema::LogicOp::logical_or:
+        return all(v, suits, false);
+      case sema::LogicOp::implies: {
+        const Truth3 unless = negated(truth(*v.operands[0], !suits));
+        const Truth3 then = truth(*v.operands[1], suits);
+        if (unless == Truth3::yes || then == Truth3::yes) return Truth3::yes;
+        return unless == Truth3::no && then == Truth3::no ? Truth3::no : Truth3::open;
+      }
+      case sema::LogicOp::iff:
+      case sema::LogicOp::logical_xor:
+        return same_truth(v, suits);
+    }
+    return Truth3::open;
+  }
+  [[nodiscard]] Truth3 same_truth(const sema::Logic& v, bool suits) const {
+    Truth3 sides[2];
+    for (int k = 0; k < 2; ++k) {
+      const sema::Expr& side = *v.operands[static_cast<std::size_t>(k)];
+      sides[k] = truth(side, true);
+      if (sides[k] != truth(side, false)) return from(suits);
+    }
+    if (sides[0] == Truth3::open || sides[1] == Truth3::open) return Truth3::open;
+    return from((sides[0] == sides[1]) == (v.op == sema::LogicOp::iff));
+  }
+  // It is so now, or else it has not been so for a while; at first it is not.
+  [[nodiscard]] Truth3 held(const sema::Expr& e, bool suits) const {
+    if (!suits) return Truth3::no;
+    const Truth3 now = truth(e, suits);
+    return stays_ || now == Truth3::no ? now : Truth3::open;
+  }
+  [[nodiscard]] Truth3 past(const sema::Expr& e, bool suits) const {
+    return stays_ ? truth(e, suits) : Truth3::open;
+  }
+
+  [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
+    const Number a = number(*v.left), b = number(*v.right);
+    if (!a || !b) return from(suits);
+    switch (v.op) {
+      case sema::CompareOp::less:
+        return ordered(*a, *b, true);
+      case sema::CompareOp::less_equal:
+        return ordered(*a, *b, false);
+      case sema::CompareOp::greater:
+        return ordered(*b, *a, true);
+      case sema::CompareOp::greater_equal:
+        return ordered(*b, *a, false);
+    }
+    return Truth3::open;
+  }
+  static Truth3 ordered(const Span& a, const Span& b, bool strictly) {
+    if (strictly ? a.hi < b.lo : a.hi <= b.lo) return Truth3::yes;
+    return (strictly ? a.lo >= b.hi : a.lo > b.hi) ? Truth3::no : Truth3::open;
+  }
+  [[nodiscard]] Number of(const sema::InputRef& v) const {
+    const auto at = box_.find({false, static_cast<std::uint32_t>(v.input), v.component});
+    return at == box_.end() ? Number() : at->second;
+  }
+  [[nodiscard]] Truth3 told(const sema::InputRef& v, bool suits) const {
+    const Number n = of(v);
+    if (!n) return from(suits);
+    return n->lo == n->hi ? from(sgn(n->lo) != 0) : Truth3::open;
+  }
+  [[nodiscard]] Truth3 is_value(const sema::IsValue& v, bool suits) const {
+    const Number n = of({v.input, v.component});
+    if (!n) return from(suits);
+    const Rational value = static_cast<unsigned long>(v.value);
+    if (n->lo == n->hi) return from(n->lo == value);
+    return value < n->lo || value > n->hi ? Truth3::no : Truth3::open;
+  }
+  [[nodiscard]] Truth3 same(const sema::SameValue& v, bool suits) const {
+    const Number a = of(v.left), b = of(v.right);
+    if (!a || !b) return from(suits);
+    if (a->hi < b->lo || b->hi < a->lo) return Truth3::no;
+    return a->lo == a->hi && b->lo == b->hi ? Truth3::yes : Truth3::open;
+  }
+
+  [[nodiscard]] Number number(const sema::Expr& e) const {
+    if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Span{v->value, v->value};
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return of(*v);
+    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
+      return box_.at({true, static_cast<std::uint32_t>(v->param), 0});
+    }
+    if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) return arithmetic(*v);
+    if (const auto* v = std::get_if<sema::Math>(&e.node)) return math(*v);
+    if (const auto* v = std::get_if<sema::Choice>(&e.node)) {
+      const Number a = number(*v->then_value), b = number(*v->else_value);
+      const Truth3 when = truth(*v->condition, true);
+      if (when != truth(*v->condition, false) || !a || !b) return std::nullopt;
+      if (when != Truth3::open) return when == Truth3::yes ? a : b;
+      return hull({a->lo, a->hi, b->lo, b->hi});
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] Number arithmetic(const sema::Arithmetic& v) const {
+    const Number a = number(*v.operands[0]);
+    if (!a) return std::nullopt;
+    if (v.op == sema::ArithmeticOp::negate) return Span{Rational(-a->hi), Rational(-a->lo)};
+    Span all = *a;
+    for (std::size_t k = 1; k < v.operands.size(); ++k) {
+      const Number b = number(*v.operands[k]);
+      if (!b) return std::nullopt;
+      switch (v.op) {
+        case sema::ArithmeticOp::add:
+          all = {Rational(all.lo + b->lo), Rational(all.hi + b->hi)};
+          break;
+        case sema::ArithmeticOp::subtract:
+          all = {Rational(all.lo - b->hi), Rational(all.hi - b->lo)};
+          break;
+        case sema::ArithmeticOp::multiply:
+          all = hull({Rational(all.lo * b->lo), Rational(all.lo * b->hi), Rational(all.hi * b->lo),
+                      Rational(all.hi * b->hi)});
+          break;
+        default:
+          if (sgn(b->lo) <= 0 && sgn(b->hi) >= 0) return std::nullopt;
+          all = hull({Rational(all.lo / b->lo), Rational(all.lo / b->hi), Rational(all.hi / b->lo),
+                      Rational(all.hi / b->hi)});
+      }
+    }
+    return all;
+  }
+  [[nodiscard]] Number math(const sema::Math& v) const {
+    const Number first = number(*v.operands[0]);
+    if (!first) return std::nullopt;
+    Span all = *first;
+    if (v.op == sema::MathOp::absolute) {
+      const Span ends = hull({Rational(abs(all.lo)), Rational(abs(all.hi))});
+      return sgn(all.lo) < 0 && sgn(all.hi) > 0 ? Span{0, ends.hi} : ends;
+    }
+    const bool least = v.op == sema::MathOp::minimum;
+    if (!least && v.op != sema::MathOp::maximum) return std::nullopt;
+    for (const auto& operand : v.operands) {
+      const Number b = number(*operand);
+      if (!b) return std::nullopt;
+      all = least ? Span{std::min(all.lo, b->lo), std::min(all.hi, b->hi)}
+                  : Span{std::max(all.lo, b->lo), std::max(all.hi, b->hi)};
+    }
+    return all;
+  }
+
+  const sema::Spec& spec_;
+  const Box& box_;
+  bool stays_;
+};
+
+class Search {
+ public:
+  Search(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how)
+      : spec_(spec), property_(property), value_(value), how_(how) {
+    collect(property);
+  }
+
+  Told run() {
+    if (variables_.empty()) return {};
+    Box all;
+    for (const auto& [name, variable] : variables_) all[name] = variable.span;
+    std::vector<Box> left{std::move(all)};
+    bool open = false;
+    for (int looked = 0; !left.empty(); ++looked) {
+      if (looked == boxes_most) return {CanBeTold::open, {}};
+      const Box box = std::move(left.back());
+      left.pop_back();
+      if (is_out(box)) continue;
+      for (const Rational& share : {Rational(1, 2), Rational(0), Rational(1)}) {
+        const Box point = point_of(box, share);
+        if (is_found(point)) return {CanBeTold::yes, inputs_of(point)};
+      }
+      if (!split(box, left)) open = true;
+    }
+    return {open ? CanBeTold::open : CanBeTold::no, {}};
+  }
+
+ private:
+  void collect(const sema::Expr& e) {
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
+    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);
+    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
+      add(v->left.input, v->left.component);
+      add(v->right.input, v->right.component);
+    }
+    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
+      const sema::Param& p = spec_[v->param];
+      variables_[{true, static_cast<std::uint32_t>(v->param), 0}] = {
+          {p.least.value, p.most.value}, 0, p.resolution, false};
+    }
+    sema::for_each_operand(e, [&](const auto& operand) { collect(*operand); });
+  }
+  void add(sema::InputId id, std::uint32_t component) {
+    const sema::Input& input = spec_[id];
+    if (input.robot || input.agent) return;  // sensed: as it suits
+    const Name name{false, static_cast<std::uint32_t>(id), component};
+    if (input.type == sema::InputType::boolean) {
+      variables_[name] = {{0, 1}, 0, 1, true};
+    } else if (input.type == sema::InputType::enumeration) {
+      const auto values = spec_[*input.enumeration].values.size();
+      variables_[name] = {{0, Rational(static_cast<unsigned long>(values)) - 1}, 0, 1, true};
+    } else if (input.type == sema::InputType::integer || input.type == sema::InputType::real) {
+      const sema::Measurement& m = input.measurement(component);
+      const bool whole = input.type == sema::InputType::integer;
+      variables_[name] = {
+          {m.least ? m.least->value : Rational(-endless), m.most ? m.most->value : endless},
+          m.error ? m.error->value : Rational(0),
+          whole ? Rational(1) : m.resolution,
+          whole};
+    }
+  }
+
+  // Wherever in the box the property is not as it is asked to be. What is seen has to hold with
+  // every error, so with the largest ones, too.
+  [[nodiscard]] bool is_out(const Box& box) const {
+    const Truth3 other = from(!value_);
+    if (Reader(spec_, box, false).truth(property_, value_) == other) return true;
+    if (how_ == ToldHow::exactly) return false;
+    for (const auto& [name, variable] : variables_) {
+      if (sgn(variable.error) == 0) continue;
+      for (const Rational& by : {variable.error, Rational(-variable.error)}) {
+        Box moved = box;
+        Span& span = moved[name];
+        span = {Rational(span.lo + by), Rational(span.hi + by)};
+        if (Reader(spec_, moved, false).truth(property_, value_) == other) return true;
+      }
+    }
+    return false;
+  }
+  [[nodiscard]] bool is_found(const Box& point) const {
+    Box seen = point;
+    for (auto& [name, span] : seen) {
+      const Variable& variable = variables_.at(name);
+      if (name.is_param) span = variable.span;
+      if (how_ == ToldHow::exactly || name.is_param) continue;
+      // the kernel rounds what it computes to the grid
+      const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
+      span = {Rational(span.lo - by), Rational(span.hi + by)};
+    }
+    return Reader(spec_, seen, true).truth(property_, value_) == from(value_);
+  }
+  // On the grid, where it has one.
+  [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
+    Box point;
+    for (const auto& [name, span] : box) {
+      const Rational at =
+          on_grid(variables_.at(name), Rational(span.lo + share * (span.hi - span.lo)));
+      point[name] = {std::clamp(at, span.lo, span.hi), std::clamp(at, span.lo, span.hi)};
+    }
+    return point;
+  }
+  static Rational on_grid(const Variable& variable, const Rational& value) {
+    if (sgn(variable.step) == 0) return value;
+    return Rational(floor_to_int(Rational(value / variable.step)) * variable.step);
+  }
+  // In two, across the side that is longest beside what it may be. false: it is one point.
+  bool split(const Box& box, std::vector<Box>& to) const {
+    const Name* longest = nullptr;
+    Rational most = 0;
+    for (const auto& [name, span] : box) {
+      const Variable& variable = variables_.at(name);
+      if (span.hi - span.lo < variable.step || span.hi == span.lo) continue;
+      const Rational share = (span.hi - span.lo) / (variable.span.hi - variable.span.lo);
+      if (share > most) {
+        most = share;
+        longest = &name;
+      }
+    }
+    if (longest == nullptr) return false;
+    const Variable& variable = variables_.at(*longest);
+    const Span& span = box.at(*longest);
+    Rational middle = on_grid(variable, Rational((span.lo + span.hi) / 2));
+    if (middle < span.lo) middle = span.lo;
+    Rational next = middle + variable.step;  // nothing lies between two steps
+    if (next > span.hi) next = span.hi;
+    Box low = box, high = box;
+    low[*longest].hi = middle;
+    high[*longest].lo = next;
+    to.push_back(std::move(high));
+    to.push_back(std::move(low));
+    return true;
+  }
+  [[nodiscard]] static std::vector<ToldInput> inputs_of(const Box& point) {
+    std::vector<ToldInput> all;
+    for (const auto& [name, span] : point) {
+      if (!name.is_param) all.push_back({sema::InputId(name.index), name.component, span.lo});
+    }
+    return all;
+  }
+
+  const sema::Spec& spec_;
+  const sema::Expr& property_;
+  bool value_;
+  ToldHow how_;
+  Variables variables_;
+};
+
+}  // namespace
+
+Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
+  return Search(spec, property, value, how).run();
+}
+
+std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs) {
+  std::string all;
+  for (const ToldInput& told : inputs) {
+    const sema::Input& input = spec[told.input];
+    const std::string& component = input.components[told.component];
+    const std::string name = input.name + (component.empty() ? "" : "." + component);
+    if (!all.empty()) all += ", ";
+    if (input.type == sema::InputType::boolean) {
+      all += (sgn(told.value) == 0 ? "not " : "") + name;
+    } else if (input.type == sema::InputType::enumeration) {
+      all += name + " == " +
+             spec[*input.enumeration].values[static_cast<std::size_t>(floor_to_int(told.value))];
+    } else {
+      all += name + " = " + to_decimal(told.value);
+    }
+  }
+  return all;
+}
+
+}  // namespace rtac::analysis

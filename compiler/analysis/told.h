@@ -1,0 +1,35 @@
+// What inputs have to be for a property to hold, or to fail: searched in boxes of what each of them
+// may be, by interval arithmetic. What robots sense, and what no number decides, is as it suits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/sema/spec.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::analysis {
+
+// Of a truth 0 or 1, of a choice its number; else SI.
+struct ToldInput {
+  sema::InputId input;
+  std::uint32_t component = 0;
+  Rational value;
+};
+enum class CanBeTold { yes, no, open };
+struct Told {
+  CanBeTold can = CanBeTold::yes;
+  // Where it can: what is measured of all that it speaks of.
+  std::vector<ToldInput> inputs;
+};
+// `seen`: whatever the errors of what is measured; else of what is so.
+enum class ToldHow { exactly, seen };
+// Whether inputs within their ranges make `property` be `value`, whatever the parameters are. no:
+// none does, with any parameters; open: nobody knows.
+Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how);
+
+// "load = 20, not door", of the specification.
+std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs);
+
+}  // namespace rtac::analysis

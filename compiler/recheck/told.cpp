@@ -1,0 +1,242 @@
+#include "compiler/recheck/told.h"
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+#include "compiler/sema/visit.h"
+
+namespace rtac::recheck {
+namespace {
+
+struct Bounds {
+  Rational lo, hi;
+};
+using Known = std::optional<Bounds>;
+
+class Reader {
+ public:
+  Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors)
+      : spec_(spec), inputs_(inputs), with_errors_(with_errors) {}
+
+  // Whether it can be so in spite of what suits.
+  [[nodiscard]] bool can_be(const sema::Expr& e, bool value, bool suits) const {
+    if (const auto* v = std::get_if<sema::Truth>(&e.node)) return v->value == value;
+    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value, suits);
+    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, value);
+    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) {
+      return suits && can_be(*v->operand, value, suits);  // at first it is not
+    }
+    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
+      return can_be(*v->operand, value, suits);
+    }
+    if (const auto* v = std::get_if<sema::Past>(&e.node)) return can_be(*v->operand, value, suits);
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
+      const Known at = measured(v->input, v->component);
+      return at && (sgn(at->lo) != 0) == value;
+    }
+    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) {
+      const Known at = measured(v->input, v->component);
+      return at && (at->lo == static_cast<unsigned long>(v->value)) == value;
+    }
+    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
+      const Known a = measured(v->left.input, v->left.component);
+      const Known b = measured(v->right.input, v->right.component);
+      return a && b && (a->lo == b->lo) == value;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool logic(const sema::Logic& v, bool value, bool suits) const {
+    const auto any = [&](bool wanted) {
+      return std::ranges::any_of(
+          v.operands, [&](const auto& operand) { return can_be(*operand, wanted, suits); });
+    };
+    const auto all = [&](bool wanted) {
+      return std::ranges::all_of(
+          v.operands, [&](const auto& operand) { return can_be(*operand, wanted, suits); });
+    };
+    switch (v.op) {
+      case sema::LogicOp::logical_not:
+        return can_be(*v.operands[0], !value, !suits);
+      case sema::LogicOp::logical_and:
+        return value ? all(true) : any(false);
+      case sema::LogicOp::logical_or:
+        return value ? any(true) : all(false);
+      case sema::LogicOp::implies: {
+        const bool unless = can_be(*v.operands[0], !value, !suits);
+        const bool then = can_be(*v.operands[1], value, suits);
+        return value ? unless || then : unless && then;
+      }
+      case sema::LogicOp::iff:
+      case sema::LogicOp::logical_xor: {
+        const bool same = (v.op == sema::LogicOp::iff) == value;
+        const auto both = [&](bool left, bool right) {
+          return can_be(*v.operands[0], left, true) && can_be(*v.operands[1], right, true);
+        };
+        return both(true, same) || both(false, !same);
+      }
+    }
+    return true;
+  }
+  [[nodiscard]] bool compare(const sema::Compare& v, bool value) const {
+    const Known a = number(*v.left), b = number(*v.right);
+    if (!a || !b) return false;
+    switch (v.op) {
+      case sema::CompareOp::less:
+        return value ? a->lo < b->hi : a->hi >= b->lo;
+      case sema::CompareOp::less_equal:
+        return value ? a->lo <= b->hi : a->hi > b->lo;
+      case sema::CompareOp::greater:
+        return value ? a->hi > b->lo : a->lo <= b->hi;
+      case sema::CompareOp::greater_equal:
+        return value ? a->hi >= b->lo : a->lo < b->hi;
+    }
+    return true;
+  }
+  // Within its error, and a step of its grid, which is what is rounded.
+  [[nodiscard]] Known measured(sema::InputId id, std::uint32_t component) const {
+    const auto at = inputs_.find({id, component});
+    if (at == inputs_.end()) return std::nullopt;
+    const sema::Input& input = spec_[id];
+    const bool is_number =
+        input.type == sema::InputType::real || input.type == sema::InputType::integer;
+    Rational by = 0;
+    if (with_errors_ && is_number) {
+      const sema::Measurement& m = input.measurement(component);
+      if (m.error) by += m.error->value;
+      if (input.type == sema::InputType::real) by += m.resolution;
+    }
+    return Bounds{Rational(at->second - by), Rational(at->second + by)};
+  }
+  [[nodiscard]] Known number(const sema::Expr& e) const {
+    if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Bounds{v->value, v->value};
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
+      return measured(v->input, v->component);
+    }
+    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
+      const sema::Param& param = spec_[v->param];
+      return Bounds{param.least.value, param.most.value};
+    }
+    std::vector<Bounds> of;
+    const auto* const sum = std::get_if<sema::Arithmetic>(&e.node);
+    const auto* const math = std::get_if<sema::Math>(&e.node);
+    if (sum == nullptr && math == nullptr) return std::nullopt;
+    for (const auto& operand : sum != nullptr ? sum->operands : math->operands) {
+      const Known each = number(*operand);
+      if (!each) return std::nullopt;
+      of.push_back(*each);
+    }
+    return sum != nullptr ? arithmetic(*sum, of) : extreme(math->op, of);
+  }
+  static Known arithmetic(const sema::Arithmetic& v, const std::vector<Bounds>& of) {
+    Bounds all = of.front();
+    if (v.op == sema::ArithmeticOp::negate) return Bounds{Rational(-all.hi), Rational(-all.lo)};
+    for (std::size_t k = 1; k < of.size(); ++k) {
+      const Bounds& b = of[k];
+      if (v.op == sema::ArithmeticOp::add) {
+        all = {Rational(all.lo + b.lo), Rational(all.hi + b.hi)};
+        continue;
+      }
+      if (v.op == sema::ArithmeticOp::subtract) {
+        all = {Rational(all.lo - b.hi), Rational(all.hi - b.lo)};
+        continue;
+      }
+      const bool divides = v.op == sema::ArithmeticOp::divide;
+      if (divides && sgn(b.lo) <= 0 && sgn(b.hi) >= 0) return std::nullopt;
+      std::vector<Rational> ends;
+      for (const Rational& x : {all.lo, all.hi}) {
+        for (const Rational& y : {b.lo, b.hi}) {
+          ends.emplace_back(divides ? Rational(x / y) : Rational(x * y));
+        }
+      }
+      all = {std::ranges::min(ends), std::ranges::max(ends)};
+    }
+    return all;
+  }
+  static Known extreme(sema::MathOp op, const std::vector<Bounds>& of) {
+    Bounds all = of.front();
+    if (op == sema::MathOp::absolute) {
+      const Rational a = abs(all.lo), b = abs(all.hi);
+      const bool spans = sgn(all.lo) < 0 && sgn(all.hi) > 0;
+      return Bounds{spans ? Rational(0) : std::min(a, b), std::max(a, b)};
+    }
+    if (op != sema::MathOp::minimum && op != sema::MathOp::maximum) return std::nullopt;
+    for (const Bounds& each : of) {
+      const bool least = op == sema::MathOp::minimum;
+      all.lo = least ? std::min(all.lo, each.lo) : std::max(all.lo, each.lo);
+      all.hi = least ? std::min(all.hi, each.hi) : std::max(all.hi, each.hi);
+    }
+    return all;
+  }
+
+  const sema::Spec& spec_;
+  const ToldInputs& inputs_;
+  bool with_errors_;
+};
+
+bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
+                 const Rational& value) {
+  if (component >= input.components.size()) return false;
+  if (input.type == sema::InputType::boolean) return value == 0 || value == 1;
+  if (input.type == sema::InputType::enumeration) {
+    return value.get_den() == 1 && sgn(value) >= 0 &&
+           value < static_cast<unsigned long>(spec[*input.enumeration].values.size());
+  }
+  if (input.type != sema::InputType::integer && input.type != sema::InputType::real) return false;
+  const sema::Measurement& m = input.measurement(component);
+  const Rational step = input.type == sema::InputType::integer ? Rational(1) : m.resolution;
+  return (!m.least || value >= m.least->value) && (!m.most || value <= m.most->value) &&
+         Rational(value / step).get_den() == 1;
+}
+
+}  // namespace
+
+std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text) {
+  ToldInputs all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(';', at), text.size());
+    const std::string each = text.substr(at, end - at);
+    at = end + 1;
+    const std::size_t is = each.find('='), dot = each.rfind('.', is);
+    if (is == std::string::npos || dot == std::string::npos) return std::nullopt;
+    const auto input = std::ranges::find(spec.inputs, each.substr(0, dot), &sema::Input::name);
+    const std::string number = each.substr(dot + 1, is - dot - 1);
+    Rational value;
+    if (input == spec.inputs.end() || number.empty() || number.size() > 4 ||
+        number.find_first_not_of("0123456789") != std::string::npos ||
+        value.set_str(each.substr(is + 1), 10) != 0 || sgn(value.get_den()) == 0) {
+      return std::nullopt;
+    }
+    value.canonicalize();
+    const auto component = static_cast<std::uint32_t>(std::stoul(number));
+    if (!can_measure(spec, *input, component, value)) return std::nullopt;
+    all[{sema::InputId(input - spec.inputs.begin()), component}] = value;
+  }
+  return all;
+}
+
+std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<ToldInput> all;
+  const auto add = [&](sema::InputId id, std::uint32_t component) {
+    if (!spec[id].robot && !spec[id].agent) all.insert({id, component});
+  };
+  if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
+  if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);
+  if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
+    add(v->left.input, v->left.component);
+    add(v->right.input, v->right.component);
+  }
+  sema::for_each_operand(e, [&](const auto& operand) { all.merge(told_in(spec, *operand)); });
+  return all;
+}
+
+bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
+                bool value) {
+  const auto all = told_in(spec, property);
+  return std::ranges::all_of(all, [&](const ToldInput& each) { return inputs.contains(each); }) &&
+         !Reader(spec, inputs, value).can_be(property, !value, value);
+}
+
+}  // namespace rtac::recheck

@@ -1,0 +1,29 @@
+// Whether inputs make a property what it is said to be, from what is written.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "compiler/sema/spec.h"
+#include "compiler/support/rational.h"
+
+namespace rtac::recheck {
+
+using ToldInput = std::pair<sema::InputId, std::uint32_t>;  // and its component
+// Of a truth 0 or 1, of a choice its number; else SI.
+using ToldInputs = std::map<ToldInput, Rational>;
+
+// Of "load.0=41/2;door.0=1"; none: it cannot be read, or an input cannot be that.
+std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text);
+// Those that a property speaks of, and that no robot senses.
+std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
+// Whether the property is `value` while these are measured, which are all of its inputs, for as
+// long as it takes, and what no input decides is as it suits. It is then true whatever the errors,
+// and false where there are none.
+bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
+                bool value);
+
+}  // namespace rtac::recheck
