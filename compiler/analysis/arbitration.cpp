@@ -356,7 +356,7 @@ class Pair {
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
     if (down && least_mm < slabs.back().ceiling * 1000) {
-      entry_.help = "`land to " + metres(least_mm) + "` keeps " + quoted(module_[fence].name);
+      entry_.help = "`land to " + metres(least_mm) + "` works";
     } else {
       offer_to_stand();
     }

@@ -220,7 +220,10 @@ std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string&
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e) {
   std::set<ToldInput> all;
   const auto add = [&](sema::InputId id, std::uint32_t component) {
-    if (!spec[id].robot && !spec[id].agent) all.insert({id, component});
+    const sema::Input& input = spec[id];
+    const bool is_place =
+        input.type == sema::InputType::zone || input.type == sema::InputType::path;
+    if (!input.robot && !input.agent && !is_place) all.insert({id, component});
   };
   if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
   if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);

@@ -375,6 +375,11 @@ void Land::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   (void)legs.push({from.x, from.y, setting_.land_at_m});
 }
 
+bool RetreatInSpace::leads_in(const Observation& observation) const {
+  return can_steer(observation) &&
+         Sight(setting_).clearance_m(position_of(observation)) < setting_.limits.radius_m;
+}
+
 void RetreatInSpace::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   const double now_m = Sight(setting_).clearance_m(from);
   // it may rest as far from where it is held as its hold sways: deeper is better, and nearer to the

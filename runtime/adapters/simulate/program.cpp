@@ -351,12 +351,12 @@ class Program {
     Tape tape = Tape::player(trace.tape);
     Outcome outcome;
     if (Problem p = run(decision, functions_[index], trace.setup, tape, outcome)) return p;
-    tell(decision, trace.setup, outcome);
     const std::string again = trace_text(case_, decision, trace.setup, outcome, tape.written());
     if (flags_.count("--trace") != 0 && !sim::write_text_file(flags_["--trace"], again)) {
       return unwritten(flags_["--trace"]);
     }
-    if (again != text) return differs(text, again);
+    if (again != text) return differs(text, again);  // what else it shows means nothing
+    tell(decision, trace.setup, outcome);
     status = counts(trace.setup, outcome) ? exit_violation : exit_clean;
     out_ << "the run was played again, the same to the last bit\n";
     return {};

@@ -135,16 +135,29 @@ bool place_together(const DecisionCase& d, const Field& field, const Scenario& s
   return false;
 }
 
+// One after the other; anew where one of them has taken the only room for two.
+bool place_in_turn(const DecisionCase& d, const Field& field, const Scenario& scenario,
+                   Random& random, std::vector<TruthState>& truths) {
+  const int turns = d.robots.size() > 1 ? 8 : 1;
+  for (int n = 0; n < turns; ++n) {
+    truths.clear();
+    const bool apart = std::all_of(d.robots.begin(), d.robots.end(), [&](const std::string& robot) {
+      return place(d, field, named(scenario, robot), random, truths);
+    });
+    if (apart) return true;
+  }
+  return false;
+}
+
 bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
                std::vector<TruthState>& truths) {
   constexpr int widenings_max = 6;
   Field field(d);
   for (int n = 0; n <= widenings_max; ++n) {
-    truths.clear();
-    const bool apart = std::all_of(d.robots.begin(), d.robots.end(), [&](const std::string& robot) {
-      return place(d, field, named(scenario, robot), random, truths);
-    });
-    if (apart || place_together(d, field, scenario, random, truths)) return true;
+    if (place_in_turn(d, field, scenario, random, truths) ||
+        place_together(d, field, scenario, random, truths)) {
+      return true;
+    }
     if (!field.widen()) return false;
   }
   return false;
@@ -200,11 +213,11 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   Random random = Random::stream(seed, setup_stream, 0);
   std::vector<TruthState> truths;
   if (!place_all(d, scenario, random, truths)) {
-    return {
-        "no places were found where every property of `" + d.name +
-            "` holds with what robots at rest need to spare",
-        R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2]}}`)",
-        true};
+    return {"no places were found where every property of `" + d.name +
+                "` holds with what robots at rest need to spare",
+            R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2)" +
+                (d.limits.in_space ? ", 3" : "") + "]}}`",
+            true};
   }
   for (const TruthState& t : truths) {
     to.starts.push_back({t.position, t.heading_rad, t.battery, t.height_m});

@@ -61,6 +61,10 @@ class SafeController {
   [[nodiscard]] virtual bool blocked() const { return false; }
   // It has reached what it wanted and makes no claim on the way (charging at the dock).
   [[nodiscard]] virtual bool parked() const { return false; }
+  // It only ever stands where it has come to rest.
+  [[nodiscard]] virtual bool stands() const { return false; }
+  // The robot is seen outside of where it moves, and is led in.
+  [[nodiscard]] virtual bool leads_in(const Observation&) const { return false; }
   // It goes to a place of its own (a dock): the pending destination waits without being stalled.
   [[nodiscard]] virtual bool errand() const { return false; }
   // The way it follows or would follow; empty when it has none. For announcements.

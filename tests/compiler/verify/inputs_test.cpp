@@ -84,17 +84,19 @@ TEST_F(OfInputs, OthersInACertificateAreNoticed) {
     write("certificates/verification.json", changed.dump());
     return recheck_sealed_anew();
   };
-  EXPECT_EQ(with("true", "load.0=20;door.0=1").status, o.status);  // as good
+  EXPECT_EQ(with("true", "load.0=20;door.0=1;mode.0=0").status, o.status);  // as good
   for (const char* inputs :
-       {"load.0=99/2;door.0=1", "load.0=20;door.0=0;mode.0=1", "load.0=20", "load.0=-1;door.0=1",
-        "load.0=20;door.0=2", "load.7=20;door.0=1", "load=20;door.0=1", "load.0=1/0;door.0=1",
-        "weight.0=20;door.0=1", ""}) {
+       {"load.0=99/2;door.0=1;mode.0=0", "load.0=20;door.0=0;mode.0=1", "load.0=20;door.0=1",
+        "load.0=-1;door.0=1;mode.0=0", "load.0=20;door.0=2;mode.0=0", "load.7=20;door.0=1;mode.0=0",
+        "load=20;door.0=1;mode.0=0", "load.0=1/0;door.0=1;mode.0=0",
+        "weight.0=20;door.0=1;mode.0=0", ""}) {
     const Outcome again = with("true", inputs);
     EXPECT_EQ(again.status, exit_violation) << inputs << again.out;
     EXPECT_NE(again.out.find("satisfiable of `tip`"), std::string::npos) << inputs << again.out;
   }
   write("certificates/verification.json", report);
-  EXPECT_EQ(with("false", "load.0=20;door.0=1").status, o.status);  // where the robot is outside
+  EXPECT_EQ(with("false", "load.0=20;door.0=1;mode.0=0").status,
+            o.status);  // where the robot is outside
 }
 
 }  // namespace

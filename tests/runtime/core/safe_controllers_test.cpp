@@ -348,6 +348,21 @@ TEST(Sequence, DoesOneAfterTheOther) {
   }
 }
 
+// One that is outside is led in at once, and one that is in stands first.
+TEST(Sequence, DoesNotStandOutside) {
+  const Setting setting = cart(room().view());
+  const double radius = setting.limits.radius_m;
+  for (const double clearance : {-0.3, radius - 0.01, radius + 0.01}) {
+    Plant<Twist> plant(test::cart_limits(), {clearance, 2.5});
+    Sequence<Twist> sequence(step<BrakeAndHold, Twist>(30'000'000, setting),
+                             step<Retreat, Twist>(0, setting));
+    sequence.engage(plant.observe());
+    for (int i = 0; i < 200; ++i) tick(sequence, plant, Gate::free, 100'000);
+    EXPECT_EQ(signed_clearance(room().view(), plant.p) > radius + 0.1, clearance < radius)
+        << clearance;
+  }
+}
+
 // The way to the dock ends parked, and goes on being parked in spite of noise.
 TEST(Route, ParksAtTheSite) {
   Plant<Twist> plant(test::cart_limits(), {3, 3});

@@ -144,6 +144,15 @@ TYPED_TEST(Outside, ARouteComesBack) {
   this->expect_back(worst_of<TypeParam>(route, 3));
 }
 
+// What would stand for a while first does not do so there.
+TYPED_TEST(Outside, ASequenceComesBack) {
+  using Output = typename TypeParam::Output;
+  safe::Sequence<Output> sequence(
+      safe::step<safe::BrakeAndHold, Output>(25 * second, TypeParam::setting()),
+      safe::step<safe::Retreat, Output>(0, TypeParam::setting()));
+  this->expect_back(worst_of<TypeParam>(sequence, 4));
+}
+
 // A robot that stands on the way in is not driven over: it waits outside.
 TYPED_TEST(Outside, NobodyIsDrivenOver) {
   test::Plant<typename TypeParam::Output> plant(TypeParam::limits(), {-0.5, 3});

@@ -38,6 +38,13 @@ class Driven : public SafeController<Output> {
   [[nodiscard]] bool blocked() const override { return plan_.blocked(); }
   [[nodiscard]] bool parked() const override { return plan_.parked(); }
   [[nodiscard]] bool errand() const override { return plan_.errand(); }
+  [[nodiscard]] bool stands() const override { return Plan::stands; }
+  [[nodiscard]] bool leads_in(const Observation& observation) const override {
+    if constexpr (Plan::leads_in) {
+      return pilot_.can_steer(observation) && plan_.is_outside(observation.position.value);
+    }
+    return false;
+  }
   [[nodiscard]] const Path* path() const override {
     return plan_.shown_way().finished() ? nullptr : &plan_.shown_way();
   }
@@ -111,7 +118,8 @@ Step<Output> step(TimeUs lasts_us, Arguments&&... arguments) {
 }
 
 // One after the other: each lasts its time from when it took over, the last one until control is
-// given back. Every step brakes first.
+// given back. Every step brakes first. A robot that is outside of where it is led does not stand
+// there first (language rule 11).
 template <class Output>
 class Sequence : public SafeController<Output> {
  public:
@@ -126,6 +134,9 @@ class Sequence : public SafeController<Output> {
 
   void engage(const Observation& observation) override {
     at_ = 0;
+    std::size_t moves = 0;
+    while (moves + 1 < steps_.size() && steps_[moves].controller->stands()) ++moves;
+    if (steps_[moves].controller->leads_in(observation)) at_ = moves;
     begin(observation);
   }
   void go_on(const Halt& halt) override { now().go_on(halt); }

@@ -30,6 +30,12 @@ class Level final : public Carried {
   [[nodiscard]] bool blocked() const override { return plan_.blocked(); }
   [[nodiscard]] bool parked() const override { return plan_.parked(); }
   [[nodiscard]] bool errand() const override { return plan_.errand(); }
+  [[nodiscard]] bool leads_in(const Observation& observation) const override {
+    if constexpr (Plan::leads_in) {
+      return can_steer(observation) && plan_.is_outside(observation.position.value);
+    }
+    return false;
+  }
   [[nodiscard]] const Path* path() const override {
     return plan_.shown_way().finished() ? nullptr : &plan_.shown_way();
   }

@@ -28,6 +28,7 @@ class Manoeuvre {
  public:
   // At rest, from the place that it holds, as others see it, or else from where it is measured.
   static constexpr bool looks_from_hold = false;
+  static constexpr bool stands = false, leads_in = true;
 
   explicit Manoeuvre(const Setting& setting) : setting_(setting), route_(*setting.zone) {}
   virtual ~Manoeuvre() = default;
@@ -47,6 +48,9 @@ class Manoeuvre {
   [[nodiscard]] virtual bool blocked() const { return false; }
   [[nodiscard]] virtual bool parked() const { return false; }
   [[nodiscard]] virtual bool errand() const { return false; }
+  [[nodiscard]] bool is_outside(Vec2 place) const {
+    return signed_clearance(*setting_.zone, place) < setting_.limits.radius_m;
+  }
 
  protected:
   virtual void decide(const Observation& observation, Gate gate, bool at_rest) = 0;
@@ -76,6 +80,7 @@ class Manoeuvre {
 class BrakeManoeuvre {
  public:
   static constexpr bool looks_from_hold = false;
+  static constexpr bool stands = true, leads_in = false;
 
   explicit BrakeManoeuvre(const Setting&) {}
   void engage(const Observation&) {}
@@ -164,6 +169,7 @@ class RouteManoeuvre : public Manoeuvre {
 class YieldManoeuvre : public Manoeuvre {
  public:
   static constexpr bool looks_from_hold = true;
+  static constexpr bool leads_in = false;  // for others alone
   using Manoeuvre::Manoeuvre;
   void engage(const Observation& observation) override;
   // It should back off and has no place to go: the others have to move.

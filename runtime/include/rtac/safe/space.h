@@ -19,6 +19,9 @@ class Carried : public SafeController<Acceleration> {
   [[nodiscard]] bool holding() const override { return pilot_.latched() && legs_.empty(); }
 
  protected:
+  [[nodiscard]] bool can_steer(const Observation& observation) const {
+    return pilot_.can_steer(observation);
+  }
   // A way of the plane, and back to the leg that it was stopped on.
   static constexpr std::size_t legs_max = max_waypoints + 1;
   using Legs = FixedList<Vec3, legs_max>;  // their ends
@@ -95,6 +98,7 @@ class Carried : public SafeController<Acceleration> {
 class RetreatInSpace : public Carried {
  public:
   using Carried::Carried;
+  [[nodiscard]] bool leads_in(const Observation& observation) const override;
 
  protected:
   void look(TimeUs now_us, Vec3 from, Legs& legs) override;
