@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/outline.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/standoffs.h"
+#include "compiler/verify/atoms.h"
 
 namespace rtac::verify {
 
@@ -30,6 +32,41 @@ geometry::Region centres_of(const Subject& s, const ir::Monitor& m, std::int64_t
     if (!some.empty()) all = all.intersect(some);
   }
   return all;
+}
+
+geometry::Region unlimited(const Subject& s, const ir::Monitor& m) {
+  geometry::Region all = geometry::Region::everywhere();
+  if (!atoms_of(m.property).speed) return all;
+  for (const analysis::Standoff& each :
+       analysis::fence_standoffs(m.property, s.decision.facts.params)) {
+    if (s.module[each.zone].has_height()) continue;
+    const std::int64_t mm = s.decision.body.radius_mm + each.mm;
+    all = all.intersect(analysis::within(s.exact(each.zone), mm).value_or(s.exact(each.zone)));
+  }
+  return all;
+}
+
+std::optional<std::pair<std::int64_t, std::int64_t>> deep_in(const geometry::Region& region) {
+  using analysis::outline::P;
+  constexpr int steps = 16;
+  const auto inside = analysis::outline::Outline::of(region);
+  if (inside.edges().empty()) return std::nullopt;
+  P low = inside.edges().front().a, high = low;
+  for (const auto& edge : inside.edges()) {
+    low = {std::min(low.x, edge.a.x), std::min(low.y, edge.a.y)};
+    high = {std::max(high.x, edge.a.x), std::max(high.y, edge.a.y)};
+  }
+  double widest_mm = 0;
+  std::optional<std::pair<std::int64_t, std::int64_t>> best;
+  for (int n = 0; n < steps * steps; ++n) {
+    const P at{low.x + (n % steps + 0.5) / steps * (high.x - low.x),
+               low.y + (n / steps + 0.5) / steps * (high.y - low.y)};
+    const double clear_mm = inside.clearance(at);
+    if (clear_mm <= widest_mm) continue;
+    widest_mm = clear_mm;
+    best = {static_cast<std::int64_t>(at.x), static_cast<std::int64_t>(at.y)};
+  }
+  return best;
 }
 
 }  // namespace rtac::verify

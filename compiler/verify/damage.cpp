@@ -35,7 +35,7 @@ class Damage {
 
   std::vector<Start> run() {
     Region allowed = centres_of(s_, judged_, 0);
-    if (is_too_fast_) allowed = allowed.intersect(unlimited());
+    if (is_too_fast_) allowed = allowed.intersect(unlimited(s_, judged_));
     Region from = Region::everywhere();
     for (const ir::Monitor& m : s_.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
@@ -48,6 +48,7 @@ class Damage {
       if (from.empty()) continue;
       if (step->kind == ir::RecoveryKind::yield) {
         beside_each_other(from, allowed, all);
+        if (is_too_fast_) near_each_other(from.subtract(allowed), all);
         continue;
       }
       straight_in(*step, from, allowed, all);
@@ -79,19 +80,6 @@ class Damage {
   }
 
  private:
-  // Of a property with a limit of speed on one side of an `or` ("slow, or far from the school"):
-  // where the other side holds, so that a robot of any speed is allowed there.
-  [[nodiscard]] Region unlimited() const {
-    Region all = Region::everywhere();
-    if (!atoms_of(judged_.property).speed) return all;
-    for (const analysis::Standoff& each :
-         analysis::fence_standoffs(judged_.property, s_.decision.facts.params)) {
-      if (s_.module[each.zone].has_height()) continue;
-      const std::int64_t mm = s_.decision.body.radius_mm + each.mm;
-      all = all.intersect(analysis::within(s_.exact(each.zone), mm).value_or(s_.exact(each.zone)));
-    }
-    return all;
-  }
   // Outside of its zone, from where it makes straight for that, across what is not allowed.
   void straight_in(const ir::Recovery& step, const Region& from, const Region& allowed,
                    std::vector<Start>& all) const {
@@ -257,6 +245,22 @@ class Damage {
       const P other = middle + (double(gap_mm) / away) * (middle - border);
       if (!inside.contains(other)) continue;
       all.push_back({in_mm(middle), {in_mm(other)}});
+    }
+  }
+  // Where a limit of speed counts, as far inside as there is room for two, whichever of them makes
+  // way.
+  void near_each_other(const Region& limited, std::vector<Start>& all) const {
+    if (s_.decision.robots < 2 || limited.empty()) return;
+    const std::int64_t gap_mm = analysis::standoffs_of(s_.decision).separation_mm +
+                                2 * s_.decision.body.radius_mm + start_spare_mm;
+    const Outline inside = Outline::of(limited);
+    const auto one = deep_in(limited);
+    if (!one) return;
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+      const std::int64_t x = one->first + dx * gap_mm, y = one->second + dy * gap_mm;
+      if (!inside.contains({double(x), double(y)})) continue;
+      all.push_back({{one->first, one->second}, {{x, y}}});
+      return;
     }
   }
   [[nodiscard]] static std::vector<std::int64_t> in_mm(P p) {

@@ -746,8 +746,15 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     doubt = quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
             quoted(j.name) + " allows less";
   }
+  if (!doubt.empty() && !why.empty()) return acknowledged(std::move(o), why);
   if (!doubt.empty()) {
-    return why.empty() ? doubted(std::move(o), std::move(doubt)) : acknowledged(std::move(o), why);
+    o = doubted(std::move(o), std::move(doubt));
+    if (slow_enough(s, driving, judged)) return o;
+    o.status = Status::refuted;
+    o.method = "geometry and bounds";
+    o.by_a_run = true;
+    o.starts = starts_of_damage(s, driving, judged);
+    return o;
   }
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);

@@ -8,6 +8,8 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/atoms.h"
+#include "compiler/verify/centres.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -235,6 +237,18 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   }
   o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +
               quoted(m.name) + " says, is not shown";
+  if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
+  // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
+  o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
+  if (!o.place_mm) return o;
+  o.status = Status::refuted;
+  o.method = by_geometry;
+  o.by_a_run = true;
+  const Rational from_rest(
+      static_cast<long>(analysis::fastest_from_rest(s.decision, m.lookahead.duration_us)), 1000);
+  o.because = "a robot at rest may be taken for one of " + to_decimal(from_rest) + " m/s, and " +
+              quoted(m.name) + " lets none go that may be faster than its limit";
+  o.repair = "a limit of " + to_decimal(from_rest) + " m/s lets a robot at rest go";
   return o;
 }
 

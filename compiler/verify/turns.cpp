@@ -194,6 +194,20 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
   return found;
 }
 
+// Whether all recoveries that are named in there move in one zone at one speed.
+bool are_alike(const ir::Decision& d, const std::string& names) {
+  const ir::Recovery* first = nullptr;
+  for (const ir::Monitor& m : d.monitors) {
+    if (names.find(quoted(m.recovery.name)) == std::string::npos) continue;
+    const ir::Recovery& last = ir::last_step(m.recovery);
+    if (first == nullptr) first = &last;
+    if (!ir::moves(last.kind) || last.zone != first->zone || last.speed_mmps != first->speed_mmps) {
+      return false;
+    }
+  }
+  return first != nullptr;
+}
+
 Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answer) {
   o.status = Status::unknown;
   if (answer.kind == protocol::Answer::Kind::unknown) {
@@ -207,11 +221,13 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
   o.because += ": in a run of the model " + answer.why +
                (several ? " take over from each other for ever"
                         : " drives for one monitor after the other for ever");
-  o.repair =
-      "recoveries of one zone and speed, which is within the zones of all of these monitors, work, "
-      "or a `return when` that lets none go sooner than all give control back; `rtac protocol` "
-      "writes the model of " +
-      quoted(s.decision.name);
+  const std::string later = "a `return when` that lets none go sooner than all give control back";
+  o.repair = (are_alike(s.decision, answer.why)
+                  ? later + " is needed, or monitors that ask for one zone"
+                  : "recoveries of one zone and speed, which is within the zones of all of these "
+                    "monitors, are needed, or " +
+                        later) +
+             "; `rtac protocol` writes the model of " + quoted(s.decision.name);
   return o;
 }
 
