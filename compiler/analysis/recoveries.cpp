@@ -28,8 +28,6 @@ using diag::Code;
 
 // A part of fewer cells is a notch: whoever has stopped in it sees what lies beside it.
 constexpr std::int64_t stranded_cells_least = 4;
-// What is offered in place of a zone without an end has so many times the room to return.
-constexpr std::int64_t boundless_times = 4;
 using Places = std::vector<ir::SiteTable::Place>;
 
 class Recoveries {
@@ -360,19 +358,13 @@ class Recoveries {
                                          metres(zone.cells.cell_mm) +
                                          ", which say nothing of ways around what bounds it"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    d.help = "a recovery within a zone with an end " + ended(last, zone, d);
-    diagnostics_.report(std::move(d));
-  }
-  std::string ended(const ir::Recovery& last, const ir::ZoneTable& zone,
-                    const diag::Diagnostic& of) const {
-    if (trials_ == nullptr) return "works";  // nobody reads it
     const bool is_route = last.kind == ir::RecoveryKind::route;
-    const Box box = box_around(zone, is_route ? module_[last.site].places : Places{},
-                               boundless_times * last.return_clearance_mm);
-    const bool works = works_in_box(*trials_, fault_of(of.code, of.range), written_.range,
-                                    last.name, module_, last.zone, box)
-                           .value_or(false);
-    return works ? "works, such as `" + bounded(zone, box) + "`" : "is needed";
+    if (trials_ != nullptr) {  // else nobody reads it
+      d.help = "a recovery within a zone with an end " +
+               with_an_end(*trials_, fault_of(d.code, d.range), written_.range, module_, last,
+                           is_route ? module_[last.site].places : Places{});
+    }
+    diagnostics_.report(std::move(d));
   }
   // theory, P2b: parts of the zone from where the recovery finds no way to give control back.
   void way_back() {

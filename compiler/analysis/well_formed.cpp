@@ -5,12 +5,14 @@
 #include <set>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/derive.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/repairs.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_set.h"
@@ -20,6 +22,7 @@
 #include "compiler/analysis/travel.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/analysis/widening.h"
+#include "compiler/analysis/zone_trials.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -336,6 +339,17 @@ class WellFormed {
     return text + " in its cell of " + metres(cells.cell_mm) + " (so wide in a zone so large)";
   }
 
+  // A grid over a zone without an end knows of no place what it has around it.
+  std::string end_for(const Decided& of, const ir::Recovery& way, const ir::SiteTable::Place& site,
+                      const Fault& fault) const {
+    const auto& monitors = of.decision.monitors;
+    const auto name_of = [](const ir::Monitor& m) { return m.recovery.name; };
+    const auto k = std::ranges::find(monitors, way.name, name_of) - monitors.begin();
+    const sema::Monitor& written = spec_[of.written.priority[static_cast<std::size_t>(k)]];
+    return name_as_written(module_[way.zone]) + " has no end: a route within a zone with one " +
+           with_an_end(*of.trials, fault, written.range, module_, way, {site});
+  }
+
   // The centre of a cell near there that would do.
   std::string other_place(const Decided& of, const ir::Recovery& way,
                           const ir::SiteTable::Place& from, std::int64_t clear_mm,
@@ -355,6 +369,7 @@ class WellFormed {
     const std::string none =
         "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
     if (of.trials == nullptr) return none;  // nobody reads it
+    if (is_boundless(zone)) return end_for(of, way, from, fault);
     if (all.empty()) return none + ": " + no_place(of, way, from, clearance_mm, clear_mm, fault);
     const auto* const written = written_place(spec_, module_[way.site], from);
     const auto works = written != nullptr

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/zone_text.h"
@@ -104,24 +105,13 @@ std::string name_of(const ir::Module& module, const std::vector<ZonePart>& parts
   return name;
 }
 
-}  // namespace
-
-std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
-                                 const std::string& recovery, const ir::Module& module,
-                                 ir::ZoneIndex from, const std::vector<ZonePart>& parts) {
-  const auto old = trials.zone_of(from);
-  auto zone = old ? made(trials, module, from, parts) : std::nullopt;
-  if (!zone) return std::nullopt;
-  return works_in_zone(trials, fault, all_of, recovery, name_of(module, parts), *old,
-                       std::move(*zone));
-}
-
-std::optional<bool> works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
-                                 const std::string& recovery, const ir::Module& module,
-                                 ir::ZoneIndex from, const Box& box) {
+// What of `from` lies in the box. false: it is in a frame of its own, too.
+bool works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                  const std::string& recovery, const ir::Module& module, ir::ZoneIndex from,
+                  const Box& box) {
   const auto old = trials.zone_of(from);
   auto zone = old ? made(trials, module, from, {{{from}}}) : std::nullopt;
-  if (!zone || zone->frame != sema::map_frame) return std::nullopt;
+  if (!zone || zone->frame != sema::map_frame) return false;
   const auto corner = [](std::int64_t x_m, std::int64_t y_m) {
     return sema::Point{Rational(static_cast<long>(x_m)), Rational(static_cast<long>(y_m))};
   };
@@ -134,6 +124,28 @@ std::optional<bool> works_in_box(Trials& trials, const Fault& fault, const Sourc
       ZoneExpr{range, sema::ZoneBinary{ZoneOp::intersect, std::move(zone->value), std::move(end)}});
   return works_in_zone(trials, fault, all_of, recovery, "a box in " + module[from].name, *old,
                        std::move(*zone));
+}
+
+}  // namespace
+
+std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                                 const std::string& recovery, const ir::Module& module,
+                                 ir::ZoneIndex from, const std::vector<ZonePart>& parts) {
+  const auto old = trials.zone_of(from);
+  auto zone = old ? made(trials, module, from, parts) : std::nullopt;
+  if (!zone) return std::nullopt;
+  return works_in_zone(trials, fault, all_of, recovery, name_of(module, parts), *old,
+                       std::move(*zone));
+}
+
+std::string with_an_end(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                        const ir::Module& module, const ir::Recovery& recovery,
+                        const std::vector<ir::SiteTable::Place>& places) {
+  constexpr std::int64_t times = 4;  // as wide around it as where control comes back
+  const ir::ZoneTable& zone = module[recovery.zone];
+  const Box box = box_around(zone, places, times * recovery.return_clearance_mm);
+  const bool works = works_in_box(trials, fault, all_of, recovery.name, module, recovery.zone, box);
+  return works ? "works, such as `" + bounded(zone, box) + "`" : "is needed";
 }
 
 std::string written_as(const Trials& trials, const ir::Module& module,

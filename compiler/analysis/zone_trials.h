@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/support/source.h"
@@ -25,10 +24,11 @@ struct ZonePart {
 std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
                                  const std::string& recovery, const ir::Module& module,
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts);
-// The same for what of `from` lies in a box; none: `from` is in a frame of its own, too.
-std::optional<bool> works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
-                                 const std::string& recovery, const ir::Module& module,
-                                 ir::ZoneIndex from, const Box& box);
+// Of a recovery in a zone without an end: "works, such as `land & rectangle ...`", of a box around
+// what bounds the zone and around places that it has to get to; or else "is needed".
+std::string with_an_end(Trials& trials, const Fault& fault, const SourceRange& all_of,
+                        const ir::Module& module, const ir::Recovery& recovery,
+                        const std::vector<ir::SiteTable::Place>& places);
 // What works_within tries, as in zone_text.h.
 std::string written_as(const Trials& trials, const ir::Module& module,
                        const std::vector<ZonePart>& parts);

@@ -227,9 +227,9 @@ check_abi() {
 # What `./dev campaign` has found, as it was committed: every template with its motion once, and
 # nothing else.
 check_campaign() {
-  local summary=tests/campaign/summary.txt spec name row='[^ ]+ +1-[0-9]+ +0  [0-9a-f]{16}'
+  local summary=tests/campaign/summary.txt spec name row='[^ ]+ +1-100000 +0  [0-9a-f]{16}'
   grep -vnE "^(template +seeds +violations +hash|$row)\$" "$summary" &&
-    breach "$summary: these lines are not of a summary without violations"
+    breach "$summary: these lines are not of a whole summary without violations"
   while IFS= read -r spec; do
     name=$(basename -- "$spec" .rta)
     [[ $(grep -c "^$name " "$summary") == 1 ]] || breach "$summary: $name is not in it once"

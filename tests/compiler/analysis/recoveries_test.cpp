@@ -604,6 +604,23 @@ decision go for Cart { advanced job; period 50 ms; priority dry; }
   EXPECT_TRUE(ended->diagnostics.all().empty()) << zone << "\n" << reports(*ended);
 }
 
+// To a route, one with its site in it, too.
+TEST(Recoveries, AZoneWithAnEndHasTheSiteInIt) {
+  const std::string pond =
+      "zone pond = rectangle (1 m, 1 m) to (2 m, 2 m);\nzone land = complement(pond);\n";
+  const auto page = [&](const std::string& more, const std::string& within) {
+    const std::string text = text_of({"route to home within " + within + " speed 0.3 m/s",
+                                      pond + more, "20 ms", "d inside land"});
+    return edited(text, "home = (2.5 m, 2.5 m)", "home = (40 m, 2.5 m)");
+  };
+  const std::string said = reports(*compiled(page("", "land"))), such = "works, such as `";
+  const std::size_t from = said.find(such), begin = from + such.size();
+  ASSERT_NE(from, std::string::npos) << said;
+  const std::string zone = said.substr(begin, said.find('`', begin) - begin);
+  const auto ended = compiled(page("zone bank = " + zone + ";", "bank"));
+  EXPECT_FALSE(ended->diagnostics.has_errors()) << zone << "\n" << reports(*ended);
+}
+
 // A zone far from the origin has an end all the same.
 TEST(Recoveries, AZoneFarAwayHasAnEnd) {
   const auto c = compiled(edited(text_of({}), "rectangle (0 m, 0 m) to (5 m, 5 m)",
