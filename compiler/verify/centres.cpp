@@ -59,8 +59,9 @@ std::optional<std::pair<std::int64_t, std::int64_t>> deep_in(const geometry::Reg
   double widest_mm = 0;
   std::optional<std::pair<std::int64_t, std::int64_t>> best;
   for (int n = 0; n < steps * steps; ++n) {
-    const P at{low.x + (n % steps + 0.5) / steps * (high.x - low.x),
-               low.y + (n / steps + 0.5) / steps * (high.y - low.y)};
+    const int column = n % steps, row = n / steps;
+    const P at{low.x + (column + 0.5) / steps * (high.x - low.x),
+               low.y + (row + 0.5) / steps * (high.y - low.y)};
     const double clear_mm = inside.clearance(at);
     if (clear_mm <= widest_mm) continue;
     widest_mm = clear_mm;
