@@ -10,7 +10,7 @@
 namespace rtac::analysis {
 namespace {
 
-constexpr int boxes_most = 2'000;
+constexpr int boxes_most = 4'000;  // of one with n inputs the (n + 1)th part
 // Beyond what an input without a range may be, in SI units.
 const Rational endless = 1'000'000'000;
 
@@ -244,8 +244,9 @@ class Search {
     for (const auto& [name, variable] : variables_) all[name] = variable.span;
     std::vector<Box> left{std::move(all)};
     bool open = false;
+    const int most = boxes_most / (1 + static_cast<int>(variables_.size()));
     for (int looked = 0; !left.empty(); ++looked) {
-      if (looked == boxes_most) return {CanBeTold::open, {}};
+      if (looked >= most) return {CanBeTold::open, {}};
       const Box box = std::move(left.back());
       left.pop_back();
       if (is_out(box)) continue;
