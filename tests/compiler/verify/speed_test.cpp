@@ -152,8 +152,9 @@ TEST_F(FastRecovery, WhatIsRefusedIsNotProvedEither) {
 }
 
 TEST_F(FastRecovery, TheRecheckDeniesAProof) {
-  ASSERT_EQ(verified(speedy("0.9 m/s", "fence > calm", accepted_fast), {"-o", "certificates"}).status,
-            exit_clean);
+  ASSERT_EQ(
+      verified(speedy("0.9 m/s", "fence > calm", accepted_fast), {"-o", "certificates"}).status,
+      exit_clean);
   Json report = Json::parse(read("certificates/verification.json"));
   for (Json& o : report["decisions"][0]["obligations"]) {
     if (o["obligation"] != "C" || o["monitor"] != "calm") continue;
