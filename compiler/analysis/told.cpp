@@ -335,7 +335,10 @@ class Search {
   }
   static Rational on_grid(const Variable& variable, const Rational& value) {
     if (sgn(variable.step) == 0) return value;
-    return Rational(floor_to_int(Rational(value / variable.step)) * variable.step);
+    const Rational steps = value / variable.step;  // of a fine grid more than fit 64 bits
+    mpz_class whole;
+    mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
+    return Rational(whole) * variable.step;
   }
   // In two, across the side that is longest beside what it may be. false: it is one point.
   bool split(const Box& box, std::vector<Box>& to) const {
