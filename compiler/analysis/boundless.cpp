@@ -1,25 +1,28 @@
 #include "compiler/analysis/boundless.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/geometry/region.h"
+#include "compiler/support/rational.h"
 
 namespace rtac::analysis {
 namespace {
 
-// geometry, Region::everywhere: a complement reaches 536 km from the origin along each axis, and is
-// snapped to the grid there.
-constexpr std::int64_t end_mm = 536'000'000 - 1'000;
-
-bool is_at_the_end(const ir::Edge& e) {
-  const auto beyond = [](std::int64_t mm) { return mm <= -end_mm || mm >= end_mm; };
-  return beyond(e.ax) || beyond(e.ay) || beyond(e.bx) || beyond(e.by);
-}
 std::string place(std::int64_t x_m, std::int64_t y_m) {
   return "(" + std::to_string(x_m) + " m, " + std::to_string(y_m) + " m)";
 }
 
 }  // namespace
+
+bool is_at_the_end(const ir::Edge& edge) {
+  // a corner of the square that complements are taken from
+  static const std::int64_t end_mm = std::abs(
+      floor_to_int(Rational(geometry::Region::everywhere().rings().front().front().x * 1000)));
+  const auto ends = [](std::int64_t mm) { return std::abs(mm) >= end_mm; };
+  return ends(edge.ax) || ends(edge.ay) || ends(edge.bx) || ends(edge.by);
+}
 
 bool is_boundless(const ir::ZoneTable& zone) {
   return std::ranges::any_of(zone.edges, is_at_the_end);

@@ -11,6 +11,8 @@
 
 namespace rtac::analysis {
 
+// Where coordinates end: the edges there bound nothing.
+bool is_at_the_end(const ir::Edge& edge);
 // Of a zone of the plane: whether it reaches the end of the coordinates.
 bool is_boundless(const ir::ZoneTable& zone);
 

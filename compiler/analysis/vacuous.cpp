@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/geometry/region.h"
+#include "compiler/analysis/boundless.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/printer.h"
 #include "compiler/support/words.h"
@@ -38,12 +38,10 @@ struct Shape {
       0;  // outside, nothing is farther from its boundary, where it is unbounded
 };
 Shape shape_of(const ir::ZoneTable& zone) {
-  static const std::int64_t end_mm =
-      floor_to_int(Rational(geometry::Region::everywhere().rings().front().front().x * 1000));
   Shape shape;
   std::int64_t low_x = far_away, low_y = far_away, high_x = -far_away, high_y = -far_away;
   for (const ir::Edge& e : zone.edges) {
-    if (std::abs(std::int64_t{e.ax}) >= std::abs(end_mm)) {
+    if (is_at_the_end(e)) {
       shape.bounded = false;
       continue;
     }

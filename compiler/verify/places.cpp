@@ -22,7 +22,7 @@
 namespace rtac::verify {
 namespace {
 
-// Zones lie within 100 km of the origin: what is widest farther off is a complement.
+// What is widest farther off is mostly a complement: a place that is nearer tells more.
 constexpr std::int64_t zones_within_mm = 100'000'000;
 
 bool is_far(const ir::ZoneTable& zone) {

@@ -741,7 +741,8 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
     return o;
   }
   std::string doubt = doubt_about(s, driving, judged);
-  if (!slow_enough(s, driving, judged)) {
+  const bool is_too_fast = !slow_enough(s, driving, judged);
+  if (is_too_fast) {
     const Rational fastest(analysis::fastest_while_driving(s.decision, driving), 1000);
     doubt = quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
             quoted(j.name) + " allows less";
@@ -749,7 +750,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   if (!doubt.empty() && !why.empty()) return acknowledged(std::move(o), why);
   if (!doubt.empty()) {
     o = doubted(std::move(o), std::move(doubt));
-    if (slow_enough(s, driving, judged)) return o;
+    if (!is_too_fast || !s.is_read) return o;  // nobody looks for a run
     o.status = Status::refuted;
     o.method = "geometry and bounds";
     o.by_a_run = true;

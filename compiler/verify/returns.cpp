@@ -237,6 +237,7 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   }
   o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +
               quoted(m.name) + " says, is not shown";
+  if (!s.is_read) return o;  // nobody looks for a run
   if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
   // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
   o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
