@@ -169,7 +169,8 @@ class Decisions {
       j["dock"] = dock(kind, *at->energy);
       j["dock_mps"] = metres(ir::charged_up_to_mmps(d.body));
     }
-    inputs_.clear();
+    facts_ = {};
+    facts_.period_us = d.period_us;
     for (const ir::Channel* c : plain_inputs(d)) {
       if (c->kind == ir::ChannelKind::zone) {
         problem(d.name, "asks for the zone `" + c->name + "`, which is received while it runs");
@@ -178,7 +179,7 @@ class Decisions {
         problem(d.name, "asks for the path `" + c->name + "`, which is received while it runs");
       }
       j["inputs"].push_back(input(*c));
-      inputs_.insert(c->name);
+      facts_.inputs.insert(c->name);
     }
     if (!d.agents.empty()) {
       j["rest_mps"] = metres(d.body.stands_mmps);
@@ -186,7 +187,30 @@ class Decisions {
     }
     j["monitors"] = Json::array();
     for (const ir::Monitor& m : d.monitors) j["monitors"].push_back(monitor(d, m, kind, *at));
+    for (const sema::ZoneId zone : facts_.timed) j["openings"].push_back(openings(d, spec_[zone]));
+    if (facts_.memory_us > 0) j["memory_us"] = facts_.memory_us;
     return j;
+  }
+  // As they are written; those of the week since its Monday.
+  static Json openings(const ir::Decision& d, const sema::Zone& zone) {
+    constexpr std::int64_t us_per_s = 1'000'000, s_per_day = 86'400;
+    Json once = Json::array(), weekly = Json::array();
+    for (const sema::Opening& o : zone.openings) {
+      if (o.days == 0) once.push_back({o.from_s * us_per_s, o.until_s * us_per_s});
+      for (std::int64_t day = 0; day < 7; ++day) {
+        if ((o.days >> day & 1) == 0) continue;
+        const std::int64_t midnight_s = day * s_per_day;
+        weekly.push_back({(midnight_s + o.from_s) * us_per_s, (midnight_s + o.until_s) * us_per_s});
+      }
+    }
+    std::int64_t lead_us = 0;
+    for (const ir::Monitor& m : d.monitors) {
+      lead_us = std::max(lead_us, ir::horizon_us(d, m) + m.recovery.leave_us);
+    }
+    return {{"zone", zone.name},
+            {"once", std::move(once)},
+            {"weekly", std::move(weekly)},
+            {"lead_us", lead_us}};
   }
   // Those that are not what is seen of agents.
   static std::vector<const ir::Channel*> plain_inputs(const ir::Decision& d) {
@@ -273,7 +297,7 @@ class Decisions {
         spec_.monitors.begin(), spec_.monitors.end(),
         [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });
     std::string why;
-    auto tree = property_tree(spec_, kind, tables_, *written->always, inputs_, why);
+    auto tree = property_tree(spec_, kind, tables_, *written->always, facts_, why);
     if (!tree) problem(d.name, "has a monitor `" + m.name + "` that speaks of " + why);
     if (tree) j["property"] = std::move(*tree);
     return j;
@@ -283,7 +307,7 @@ class Decisions {
   const sema::Spec& spec_;
   const ir::TableMap& tables_;
   const Mutant* mutant_;
-  std::set<std::string> inputs_;  // of the decision that is told of
+  Facts facts_;  // of the decision that is told of
 };
 
 }  // namespace

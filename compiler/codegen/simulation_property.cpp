@@ -1,5 +1,6 @@
 #include "compiler/codegen/simulation_property.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 #include <variant>
@@ -8,6 +9,7 @@
 #include "compiler/codegen/code.h"
 #include "compiler/sema/dimension.h"
 #include "compiler/sema/received.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::codegen {
 namespace {
@@ -17,9 +19,8 @@ using sema::Expr;
 
 class Tree {
  public:
-  Tree(const sema::Spec& spec, sema::KindId kind, const ir::TableMap& tables,
-       const std::set<std::string>& inputs)
-      : spec_(spec), kind_(kind), tables_(tables), inputs_(inputs) {}
+  Tree(const sema::Spec& spec, sema::KindId kind, const ir::TableMap& tables, Facts& facts)
+      : spec_(spec), kind_(kind), tables_(tables), facts_(facts) {}
 
   Json of(const Expr& e) {
     return std::visit([&](const auto& node) { return this->node(e, node); }, e.node);
@@ -127,7 +128,7 @@ class Tree {
   // A number, or a truth that holds where the input is `value`.
   Json input(const char* op, sema::InputId id, std::uint32_t component) {
     const std::string& name = spec_[id].name;
-    if (inputs_.count(name) == 0) {
+    if (facts_.inputs.count(name) == 0) {
       return refuse("the plain input `" + name + "`, which nothing simulates");
     }
     return {{"op", op}, {"input", name}, {"component", component}};
@@ -137,16 +138,65 @@ class Tree {
     if (!j.is_null()) j["is"] = value;
     return j;
   }
-  Json node(const Expr&, const sema::ZoneOpen&) { return of_a_clock(); }
-  Json node(const Expr&, const sema::WhileOpen&) { return of_a_clock(); }
-  Json of_a_clock() { return refuse("a zone with times, and runs have no time of day"); }
-  Json node(const Expr&, const sema::HeldFor&) { return of_the_past(); }
-  Json node(const Expr&, const sema::Previously&) { return of_the_past(); }
-  Json node(const Expr&, const sema::Past&) { return of_the_past(); }
-  Json node(const Expr&, const sema::Since&) { return of_the_past(); }
-  Json node(const Expr&, const sema::WithinOf&) { return of_the_past(); }
-  Json node(const Expr&, const sema::Aggregate&) { return of_the_past(); }
-  Json of_the_past() { return refuse("the past, which runs do not follow"); }
+  Json node(const Expr&, const sema::ZoneOpen& o) {
+    const auto at = std::find(facts_.timed.begin(), facts_.timed.end(), o.zone);
+    const auto number = at - facts_.timed.begin();
+    if (at == facts_.timed.end()) facts_.timed.push_back(o.zone);
+    return {{"op", "open"}, {"openings", number}};
+  }
+  // Measured anew in every tick.
+  Json node(const Expr&, const sema::AgeOf&) { return {{"op", "const"}, {"value", 0.0}}; }
+  Json node(const Expr& e, const sema::HeldFor& h) { return past(e, *h.operand, h.duration); }
+  Json node(const Expr& e, const sema::Previously& p) {
+    return past(e, *p.operand, facts_.period_us);
+  }
+  Json node(const Expr& e, const sema::Past& p) { return past(e, *p.operand, p.interval.from); }
+  // Of an interval that begins before now, both have to hold; otherwise it is as if it began now.
+  Json node(const Expr& e, const sema::Since& s) {
+    if (s.interval.from.value == 0) return past(e, *s.right, s.interval.from);
+    Json both = Json{{"op", "and"}, {"of", Json::array()}};
+    for (const Expr* each : {s.left.get(), s.right.get()}) {
+      both["of"].push_back(past(e, *each, s.interval.from));
+    }
+    return both;
+  }
+  Json node(const Expr& e, const sema::WithinOf& w) {
+    Json missed = with("not", past(e, *w.trigger, w.duration));
+    return {{"op", "or"},
+            {"of", Json::array({past(e, *w.operand, w.duration), std::move(missed)})}};
+  }
+  Json node(const Expr& e, const sema::Aggregate& a) {
+    switch (a.op) {
+      case sema::AggregateOp::minimum:
+      case sema::AggregateOp::maximum:
+      case sema::AggregateOp::mean:
+        return past(e, *a.operand, a.interval.from);
+      case sema::AggregateOp::rate:
+        (void)past(e, *a.operand, *a.interval.to);
+        return {{"op", "const"}, {"value", 0.0}};
+      case sema::AggregateOp::sum:
+      case sema::AggregateOp::count:
+        break;
+    }
+    return refuse("how often something was so, which runs do not count");
+  }
+  // What was so `span` ago, and has stayed so since.
+  Json past(const Expr& all, const Expr& operand, const sema::Quantity& span) {
+    return past(all, operand, ceil_to_int(Rational(span.value * 1'000'000)));
+  }
+  Json past(const Expr& all, const Expr& operand, std::int64_t span_us) {
+    bool changes = sema::speaks_of_robot(all);
+    sema::for_each_expr(all, [&](const Expr& each) {
+      changes = changes || std::holds_alternative<sema::ZoneOpen>(each.node);
+    });
+    if (changes)
+      return refuse("the past of robots or of zones with times, which runs do not follow");
+    looks_back_us_ += span_us;
+    facts_.memory_us = std::max(facts_.memory_us, looks_back_us_);
+    Json json = of(operand);
+    looks_back_us_ -= span_us;
+    return json;
+  }
   // Plans, numbers that are computed of inputs.
   template <class Other>
   Json node(const Expr&, const Other&) {
@@ -156,16 +206,17 @@ class Tree {
   const sema::Spec& spec_;
   const sema::KindId kind_;
   const ir::TableMap& tables_;
-  const std::set<std::string>& inputs_;
+  Facts& facts_;
+  std::int64_t looks_back_us_ = 0;  // the operators around what is looked at
   std::string why_;
 };
 
 }  // namespace
 
 std::optional<Json> property_tree(const sema::Spec& spec, sema::KindId kind,
-                                  const ir::TableMap& tables, const Expr& property,
-                                  const std::set<std::string>& inputs, std::string& why) {
-  Tree tree(spec, kind, tables, inputs);
+                                  const ir::TableMap& tables, const Expr& property, Facts& facts,
+                                  std::string& why) {
+  Tree tree(spec, kind, tables, facts);
   Json json = tree.of(property);
   why = tree.why();
   if (!why.empty()) return std::nullopt;

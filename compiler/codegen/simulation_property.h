@@ -5,19 +5,30 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "compiler/ir/table_map.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::codegen {
 
+// What the properties of a decision speak of, besides robots.
+struct Facts {
+  std::int64_t period_us = 0;
+  std::set<std::string> inputs;     // those that are told of
+  std::vector<sema::ZoneId> timed;  // zones that are there at certain times
+  // From then on what they say of the past of inputs is as it is for ever, if inputs stay as they
+  // are.
+  std::int64_t memory_us = 0;
+};
+
 // `{"op": "and", "of": [...]}`; lengths in m, charge 1 = full, zones and sites by their number in
-// the module, plain inputs by name, those of `inputs`. nullopt: it says something that the true
-// state of robots does not tell; `why` says what.
+// the module, plain inputs by name, zones with times by their number in `facts`, which are added
+// to. The past is what it is of inputs that have always been as they are. nullopt: it says
+// something that the true state of robots does not tell; `why` says what.
 std::optional<nlohmann::ordered_json> property_tree(const sema::Spec& spec, sema::KindId kind,
                                                     const ir::TableMap& tables,
-                                                    const sema::Expr& property,
-                                                    const std::set<std::string>& inputs,
+                                                    const sema::Expr& property, Facts& facts,
                                                     std::string& why);
 
 // The double nearest to the number.

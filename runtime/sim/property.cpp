@@ -19,6 +19,8 @@ class Evaluation {
     switch (p.op) {
       case PropertyOp::truth:
         return p.value != 0 ? infinite : -infinite;
+      case PropertyOp::open:
+        return scene_.surroundings.open[static_cast<std::size_t>(p.index)] ? infinite : -infinite;
       case PropertyOp::inside:
         return clearance(p.index);
       case PropertyOp::at_least:
@@ -104,6 +106,7 @@ class Evaluation {
       case PropertyOp::count:
         return count(p);
       case PropertyOp::truth:
+      case PropertyOp::open:
       case PropertyOp::inside:
       case PropertyOp::at_least:
       case PropertyOp::logical_not:
@@ -183,6 +186,9 @@ double steepness_per_m(const Property& p) {
   switch (p.op) {
     case PropertyOp::inside:
       return 1;
+    case PropertyOp::truth:
+    case PropertyOp::open:  // nothing that a robot does
+      return std::numeric_limits<double>::min();
     case PropertyOp::at_least: {
       const bool plain = (is_length(p.of[0]) && p.of[1].op == PropertyOp::constant) ||
                          (is_length(p.of[1]) && p.of[0].op == PropertyOp::constant);

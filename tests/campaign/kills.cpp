@@ -68,6 +68,7 @@ const std::vector<Row>& kill_table() {
       {"level-flight", "attic", "chase-fence", 20, "templates/space.json"},
       {"level-flight", "starlings", "chase-robot", 20, "above.json"},
       {"unchecked-claim", "templates/extern_point", "chase-fence", 20},
+      {"no-lead", "templates/hours_point", "chase-fence", 20, "templates/point.json"},
       {"stale-charge", "fuel", "drain", 20},
   };
   return all;

@@ -33,6 +33,7 @@ const std::map<std::string, PropertyOp>& ops() {
       {"negate", PropertyOp::negate},
       {"count", PropertyOp::count},
       {"truth", PropertyOp::truth},
+      {"open", PropertyOp::open},
       {"inside", PropertyOp::inside},
       {"at_least", PropertyOp::at_least},
       {"not", PropertyOp::logical_not},
@@ -60,6 +61,9 @@ Property property(const Json& j) {
     case PropertyOp::clearance:
     case PropertyOp::inside:
       p.index = j.at("zone").get<int>();
+      break;
+    case PropertyOp::open:
+      p.index = j.at("openings").get<int>();
       break;
     case PropertyOp::agent_distance:
       p.index = j.at("agent").get<int>();
@@ -208,6 +212,14 @@ void read_mentions(const Json& j, Mention at, DecisionCase& to) {
   }
 }
 
+std::vector<Openings::Span> spans(const Json& j) {
+  std::vector<Openings::Span> all;
+  for (const Json& each : j) {
+    all.push_back({each.at(0).get<TimeUs>(), each.at(1).get<TimeUs>()});
+  }
+  return all;
+}
+
 DecisionCase decision(const Json& j, const Case& all) {
   DecisionCase d;
   d.name = j.at("name").get<std::string>();
@@ -233,6 +245,13 @@ DecisionCase decision(const Json& j, const Case& all) {
                           a.at("age_us").get<TimeUs>(), a.value("in_space", false)});
     }
   }
+  if (j.contains("openings")) {
+    for (const Json& z : j.at("openings")) {
+      d.calendar.push_back({z.at("zone").get<std::string>(), spans(z.at("once")),
+                            spans(z.at("weekly")), z.at("lead_us").get<TimeUs>()});
+    }
+  }
+  d.memory_us = j.value("memory_us", TimeUs{0});
   if (j.contains("inputs")) {
     for (const Json& i : j.at("inputs")) d.inputs.push_back(input(i));
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "calendar.h"
 #include "rtac/decision.h"
 #include "rtac/safe/claim.h"
 #include "rtac/sim/crowd.h"
@@ -93,6 +94,10 @@ struct DecisionCase {
   std::vector<sim::Property> properties;  // by monitor
   sim::Surroundings surroundings;
   std::vector<sim::AgentSetup> agents;
+  std::vector<Openings> calendar;  // of the zones with times that they speak of
+  // What properties say of the past of inputs is as they are for ever once so much time has passed
+  // with them.
+  TimeUs memory_us = 0;
   std::vector<Input> inputs;
   std::vector<Mention> mentions;
   std::vector<double> measured;  // of inputs, by component; empty: nothing is

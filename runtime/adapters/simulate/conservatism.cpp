@@ -108,6 +108,7 @@ class Search {
     }
     if (!std::isfinite(metres_)) return "it speaks of more than lengths";
     if (sim::speaks_of(property_, sim::PropertyOp::count)) return "it counts robots";
+    if (sim::speaks_of(property_, sim::PropertyOp::open)) return "it speaks of a zone with times";
     return not_searched(d_.limits);
   }
   [[nodiscard]] bool of_others() const {

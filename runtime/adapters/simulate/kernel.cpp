@@ -129,11 +129,12 @@ Problem Kernel::find(const DecisionCase& decision, Functions& to) const {
 }
 
 KernelDecision::KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision,
-                               int self, SeesAgent sees)
+                               int self, SeesAgent sees, TimeUs begins_us)
     : functions_(functions),
       capacity_(decision.plan_capacity),
       agents_(decision.agents.size()),
       sees_(std::move(sees)),
+      begins_us_(begins_us),
       info_(),
       state_(functions.state_bytes / sizeof(std::int64_t) + 1),
       in_(functions.in_words),
@@ -168,29 +169,30 @@ void KernelDecision::reset() {
 const DecisionRecord& KernelDecision::step(const Observation& seen, bool holding, bool surrender) {
   in_[words::holding] = holding ? 1 : 0;
   in_[words::surrender] = surrender ? 1 : 0;
-  put(seen.position, seen.height_m, &in_[words::position]);
-  put(seen.velocity, seen.climb_mps, &in_[words::velocity]);
-  put(seen.battery, battery_steps, &in_[words::battery]);
-  put(seen.heading, heading_steps, &in_[words::heading]);
-  put(seen.sent, seen.sent_up_mps2, &in_[words::sent]);
-  put(seen.proposed, seen.proposed_up_mps2, &in_[words::proposed]);
+  put(shown(seen.position), seen.height_m, &in_[words::position]);
+  put(shown(seen.velocity), seen.climb_mps, &in_[words::velocity]);
+  put(shown(seen.battery), battery_steps, &in_[words::battery]);
+  put(shown(seen.heading), heading_steps, &in_[words::heading]);
+  put(shown(seen.sent), seen.sent_up_mps2, &in_[words::sent]);
+  put(shown(seen.proposed), seen.proposed_up_mps2, &in_[words::proposed]);
   put(seen.plan, capacity_, &in_[words::plan]);
   std::int64_t* other = &in_[words::plan] + words::plan_size(capacity_);
   for (int j = 0; j < info_.robot_count; ++j, other += words::other_size(capacity_)) {
     if (j == seen.self) continue;
     const Announcement& heard = seen.others[static_cast<std::size_t>(j)];
-    put(heard.position, heard.height_m, other + words::other_position);
-    put(heard.velocity, heard.climb_mps, other + words::other_velocity);
-    other[words::lease_end] = heard.lease_end_us;
+    put(shown(heard.position), heard.height_m, other + words::other_position);
+    put(shown(heard.velocity), heard.climb_mps, other + words::other_velocity);
+    other[words::lease_end] = shown(heard.lease_end_us);
     other[words::goes_first] = rtac::goes_first(seen, j) ? 1 : 0;
-    other[words::presence] = heard.present.stamp_us;
+    other[words::presence] = shown(heard.present.stamp_us);
     other[words::present] = heard.present.value ? 1 : 0;
     put(heard.plan, capacity_, other + words::other_plan);
   }
   for (std::size_t k = 0; k < agents_; ++k, other += words::agent_size) {
-    put_agent(sees_(seen.self, static_cast<int>(k), seen.now_us), seen.now_us, other);
+    const Sample<Vec3> agent = sees_(seen.self, static_cast<int>(k), seen.now_us);
+    put_agent(shown(agent), shown(seen.now_us), other);
   }
-  functions_.step(state_.data(), in_.data(), seen.now_us, out_.data());
+  functions_.step(state_.data(), in_.data(), shown(seen.now_us), out_.data());
   take(seen.now_us);
   return record_;
 }
@@ -205,7 +207,8 @@ void KernelDecision::take(TimeUs now_us) {
   record_.reason_input = static_cast<InputField>(out_[words::reason_input]);
   record_.reason_other = whole(words::reason_other);
   record_.gate = static_cast<Gate>(out_[words::gate]);
-  record_.lease_end_us = out_[words::out_lease_end];
+  const TimeUs lease_end_us = out_[words::out_lease_end];
+  record_.lease_end_us = lease_end_us == never_us ? never_us : lease_end_us - begins_us_;
   record_.time_to_violation_us = out_[words::violation];
   record_.tick = static_cast<std::uint64_t>(out_[words::tick]);
   record_.time_us = now_us;

@@ -41,18 +41,29 @@ using SeesAgent = std::function<Sample<Vec3>(int robot, int agent, TimeUs now_us
 // One decision for one robot. Everything that it is made with outlives it.
 class KernelDecision final : public DecisionModule {
  public:
+  // `begins_us`: what the clock of the kernel shows at time 0.
   KernelDecision(const Kernel::Functions& functions, const DecisionCase& decision, int self,
-                 SeesAgent sees);
+                 SeesAgent sees, TimeUs begins_us);
   [[nodiscard]] const DecisionInfo& info() const override { return info_; }
   const DecisionRecord& step(const Observation& observation, bool holding, bool surrender) override;
   void reset() override;
 
  private:
   void take(TimeUs now_us);
+  // Of a moment of the run, or of none; and back.
+  [[nodiscard]] TimeUs shown(TimeUs at_us) const {
+    return at_us == never_us ? never_us : at_us + begins_us_;
+  }
+  template <class Value>
+  [[nodiscard]] Sample<Value> shown(Sample<Value> sample) const {
+    sample.stamp_us = shown(sample.stamp_us);
+    return sample;
+  }
 
   const Kernel::Functions& functions_;
   std::size_t capacity_, agents_;
   SeesAgent sees_;
+  TimeUs begins_us_;
   std::vector<MonitorInfo> monitors_;
   DecisionInfo info_;
   std::vector<std::int64_t> state_, in_, out_;

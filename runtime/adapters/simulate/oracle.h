@@ -16,10 +16,21 @@ struct Moving {
   double heading_rad = 0, battery = 1;
 };
 
+// What robot `self` observes where all of them are measured so, at their oldest, and propose that.
+// The position is never older than the velocity: what has happened to a robot between the two is
+// then bounded by its acceleration alone.
+Observation observed(const DecisionCase& decision, int self, const std::vector<Moving>& robots,
+                     TimeUs now_us, Vec3 proposed);
+
+// What its clock shows, unless it is told to show something else: no sample is older than that.
+inline constexpr TimeUs oracle_begins_us = 1'000'000'000;
+
 class Oracle {
  public:
-  // Of the robot `self`. All of it outlives the oracle.
-  Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, int self);
+  // Of the robot `self`. All of it outlives the oracle. `begins_us`: what its clock
+  // shows; 0: any time.
+  Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, int self,
+         TimeUs begins_us = 0);
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
 
@@ -36,17 +47,15 @@ class Oracle {
   bool passes(const std::vector<Moving>& robots, std::size_t monitor);
 
   // Ages of the samples that it is asked with.
-  [[nodiscard]] TimeUs position_age_us() const { return position_age_us_; }
-  [[nodiscard]] TimeUs velocity_age_us() const { return velocity_age_us_; }
+  [[nodiscard]] TimeUs position_age_us() const;
+  [[nodiscard]] TimeUs velocity_age_us() const;
 
  private:
-  [[nodiscard]] Observation seen(const std::vector<Moving>& robots, TimeUs now_us,
-                                 Vec3 proposed) const;
+  const DecisionRecord& step(const std::vector<Moving>& robots, int tick, Vec3 proposed);
   int ticks_until_advanced(const std::vector<Moving>& robots);
 
   const DecisionCase& decision_;
   int self_;
-  TimeUs position_age_us_, velocity_age_us_;
   std::vector<Vec3> agents_;
   Vec3 proposed_;
   KernelDecision kernel_;

@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "conservatism.h"
+#include "oracle.h"
 #include "rtac/sim/picture.h"
 #include "summary.h"
 #include "tighten.h"
@@ -154,7 +155,8 @@ class Program {
     for (std::size_t d = 0; d < case_.decisions.size(); ++d) {
       Told told;
       if (Problem p = draw_inputs(case_.decisions[d], scenario_, scenario_.seed, 0, told)) return p;
-      const DecisionCase decision = with_inputs(case_.decisions[d], told);
+      DecisionCase decision = with_inputs(case_.decisions[d], told);
+      decision.surroundings.open = open_at(decision.calendar, oracle_begins_us);
       const double share_s = core_s / static_cast<double>(case_.decisions.size());
       out_ << tightness_json(decision, measure_tightness(decision, functions_[d], share_s));
     }
@@ -306,8 +308,9 @@ class Program {
     const MonitorCase& m = decision.monitors[monitor];
     out_ << "\nviolated: " << m.name << " (" << m.text << ") by "
          << decision.robots[static_cast<std::size_t>(v.robot)] << " at "
-         << static_cast<double>(v.time_us) / us_per_s << " s, down to "
-         << margin_text(m, outcome.least[monitor].value)
+         << static_cast<double>(v.time_us) / us_per_s << " s, "
+         << (decision.calendar.empty() ? "" : utc_text(setup.begins_us + v.time_us) + ", ")
+         << "down to " << margin_text(m, outcome.least[monitor].value)
          << (v.time_us == 0 ? ", where the scenario lets it start" : "") << "\n  --seed "
          << setup.seed << " --runs 1 --adversary " << setup.adversary->name << "\n";
     tell_inputs(decision, setup);

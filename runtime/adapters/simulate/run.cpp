@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "oracle.h"
 #include "recoveries.h"
 #include "rtac/sim/arena.h"
 #include "rtac/sim/attacker.h"
@@ -163,9 +164,12 @@ class Fleet {
         makes_(decision, setup, kernel.jitter_us, arena, tape) {
     for (int i = 0; i < static_cast<int>(decision.robots.size()); ++i) {
       decisions_.push_back(std::make_unique<KernelDecision>(
-          kernel, decision, i, [&crowd](int robot, int agent, TimeUs now_us) {
-            return crowd.see(robot, agent, now_us);
-          }));
+          kernel, decision, i,
+          [&crowd](int robot, int agent, TimeUs now_us) {
+            return now_us < 0 ? Sample<Vec3>{far_away, now_us} : crowd.see(robot, agent, now_us);
+          },
+          setup.begins_us));
+      remember(i);
       attacks_.push_back(
           std::make_unique<Taped<Output>>(attack(setup, i, arena), "command", i, tape));
       parts_.push_back(parts(i));
@@ -206,6 +210,18 @@ class Fleet {
   }
 
  private:
+  // Before it begins robots have stood where they start, for as long as properties look back.
+  void remember(int robot) {
+    std::vector<Moving> standing;
+    for (const RobotStart& s : setup_.starts) {
+      standing.push_back({{s.place.x, s.place.y, s.height_m}, {}, s.heading_rad, s.battery});
+    }
+    const TimeUs period_us = decision_.period_us;
+    for (TimeUs tick = (decision_.memory_us + period_us - 1) / period_us; tick > 0; --tick) {
+      const Observation o = observed(decision_, robot, standing, -tick * period_us, {});
+      (void)decisions_.back()->step(o, false, false);
+    }
+  }
   std::unique_ptr<Controller<Output>> attack(const Setup& setup, int robot, const Arena& arena) {
     const Adversary& adversary = *setup.of_robot[static_cast<std::size_t>(robot)];
     const std::uint64_t seed =
@@ -288,10 +304,15 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   options.noise = sim::NoiseModel::none;
   options.lasting_gusts = setup.hostility.noise == sim::Noise::lasting;
   options.commands_max = commands_under_way(decision, setup);
+  const DecisionCase at_worst = at_its_worst(decision, setup);  // attacks know what is to come
   sim::Surroundings surroundings = decision.surroundings;
+  surroundings.open = open_at(decision.calendar, setup.begins_us);
+  const std::vector<TimeUs> changes =
+      changes_between(decision.calendar, setup.begins_us, setup.begins_us + setup.duration_us);
+  auto next = changes.begin();
   std::vector<bool> standing(decision.robots.size(), false);
   surroundings.told_to_stand = &standing;
-  Arena arena(surroundings, decision.properties, decision.limits, robots);
+  Arena arena(surroundings, at_worst.properties, decision.limits, robots);
   if (setup.adversary != nullptr && setup.adversary->aims_wind) {
     options.wind = [&](int robot) { return arena.threat(robot, setup.adversary->aim).direction; };
   }
@@ -304,6 +325,10 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
   int steps = 0;
   sim::HostileFleet<Output> hostile(world, arena, setup.hostility, tape, [&](TimeUs now_us) {
     crowd.move(now_us);
+    for (; next != changes.end() && *next <= setup.begins_us + now_us; ++next) {
+      surroundings.open = open_at(decision.calendar, *next);
+      referee.look_anew();
+    }
     if (now_us == 0 || blame.everybody_has_decided()) referee.observe(now_us, world.truths());
     const sim::Violation& violation = referee.first_violation();
     if (referee.violated() && to.drove.empty()) {
@@ -319,7 +344,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
       world.stop();
     }
   });
-  Fleet<Output> fleet(decision, kernel, setup, arena, crowd, tape);
+  Fleet<Output> fleet(at_worst, kernel, setup, arena, crowd, tape);
   Watcher watcher(decision, setup, kernel.jitter_us, arena, tape, to, standing, blame);
   if (!fleet.start(hostile, watcher)) {
     return {"decision `" + decision.name + "` has a recovery that `rtac-sim` does not know",

@@ -26,6 +26,7 @@ struct Setup {
   Told told;  // of inputs
   std::uint64_t seed = 1;
   TimeUs duration_us = 0;
+  TimeUs begins_us = 0;  // what clocks show at time 0: UTC, where zones have times
   const Adversary* adversary = nullptr;
   std::vector<const Adversary*> of_robot;  // who drives them
   sim::Hostility hostility;
@@ -56,6 +57,10 @@ struct Outcome {
 // holds.
 Problem make_setup(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
                    Setup& to);
+
+// The same decision whose zones with times are there, or not, whatever is worse, where that changes
+// within the run.
+DecisionCase at_its_worst(const DecisionCase& decision, const Setup& setup);
 
 // Somewhere in the zones that the properties speak of, where those of the robot hold; where it is,
 // when no such place is found.

@@ -119,7 +119,8 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
   }
   throw Unfit{
       "the scenario has `" + key + "`: " + value.dump(),
-      "there are `duration_s`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, `ages`, "
+      "there are `duration_s`, `begins`, `seed`, `runs`, `adversary`, `starts`, `inputs`, `noise`, "
+      "`ages`, "
       "`fault_every_s`, `fault_ms`, `jitter_ms`, `about`, "
       "`driven_by`, `not_driven_by`, `unmet`, `return_within_s`, `undecided` and `deaf_from_s`"};
 }
@@ -127,6 +128,12 @@ Scenario::Given input_values(const Json& j, const std::string& name) {
 void take(const std::string& key, const Json& value, Scenario& to) {
   if (key == "duration_s") {
     to.duration_us = time(value, key, us_per_s, duration_s_min);
+  } else if (key == "begins") {
+    to.begins_us = utc_of(text(value, key));
+    if (!to.begins_us) {
+      throw Unfit{"`begins` of the scenario is " + value.dump(),
+                  "a moment works, `\"2026-05-01T08:00:00Z\"`"};
+    }
   } else if (key == "seed") {
     to.seed = whole(value, key, 0);
   } else if (key == "runs") {

@@ -37,6 +37,7 @@ struct Scenario {
   using Value = std::variant<bool, double, std::string>;
   using Given = std::vector<Value>;  // by component
   TimeUs duration_us = 30'000'000;
+  std::optional<TimeUs> begins_us;  // UTC; nothing: drawn, where zones have times
   std::uint64_t seed = 1, runs = 100;
   std::string adversary;                                          // empty: all in turn
   std::vector<std::pair<std::string, std::string>> adversary_of;  // robot, adversary

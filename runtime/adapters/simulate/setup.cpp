@@ -15,7 +15,7 @@ namespace {
 using sim::Random;
 using sim::TruthState;
 
-constexpr std::uint64_t setup_stream = 3001;
+constexpr std::uint64_t setup_stream = 3001, clock_stream = 3006;
 constexpr int tries_max = 4000;
 // Among so many admissible places the widest one is taken, unless one is wide enough before.
 constexpr int tries_wide = 40;
@@ -61,6 +61,17 @@ bool stand(const DecisionCase& d, const std::vector<TruthState>& truths) {
     }
   }
   return true;
+}
+
+// A run begins somewhere around the moment at which a zone comes or goes, and lasts longer by what
+// decisions look ahead at that.
+void set_clock(const DecisionCase& d, const Scenario& scenario, Setup& to) {
+  constexpr TimeUs early_us = 1'000'000'000;  // no sample is older than the clock
+  to.begins_us = scenario.begins_us.value_or(d.memory_us > 0 ? early_us + d.memory_us : 0);
+  if (d.calendar.empty() || scenario.begins_us) return;
+  Random random = Random::stream(to.seed, clock_stream, 0);
+  to.begins_us = draw_begin(d.calendar, to.duration_us, random);
+  to.duration_us += longest_lead_us(d.calendar);
 }
 
 // By mode, whether its recovery is called so.
@@ -165,6 +176,14 @@ bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
 
 }  // namespace
 
+DecisionCase at_its_worst(const DecisionCase& decision, const Setup& setup) {
+  DecisionCase d = decision;
+  for (sim::Property& p : d.properties) {
+    p = at_its_worst(p, d.calendar, setup.begins_us, setup.begins_us + setup.duration_us);
+  }
+  return d;
+}
+
 Vec2 draw_place(const DecisionCase& d, const std::vector<TruthState>& truths, int robot,
                 Random& random) {
   const Field field(d);
@@ -183,6 +202,7 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
   const std::vector<const Adversary*> fit = applicable(d, scenario);
   to.seed = seed;
   to.duration_us = scenario.duration_us;
+  set_clock(d, scenario, to);
   to.return_within_us = scenario.return_within_us;
   to.undecided = scenario.undecided;
   to.about = -1;
@@ -212,7 +232,7 @@ Problem make_setup(const DecisionCase& d, const Scenario& scenario, std::uint64_
                   d.period_us};
   Random random = Random::stream(seed, setup_stream, 0);
   std::vector<TruthState> truths;
-  if (!place_all(d, scenario, random, truths)) {
+  if (!place_all(at_its_worst(d, to), scenario, random, truths)) {
     return {"no places were found where every property of `" + d.name +
                 "` holds with what robots at rest need to spare",
             R"(say where robots start: `"starts": {")" + d.robots.front() + R"(": {"at": [1, 2)" +

@@ -60,7 +60,7 @@ void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenar
     if (!speaks_of(d.properties[m], sim::PropertyOp::energy_to)) continue;
     for (std::size_t i = 0; i < std::min(robots.size(), robots_max); ++i) {
       if (is_given(scenario, d.robots[i])) continue;
-      Oracle oracle(d, kernel, static_cast<int>(i));
+      Oracle oracle(d, kernel, static_cast<int>(i), setup.begins_us);
       const double drawn = robots[i].battery;
       for (int k = 0; k <= steps && !oracle.holds(robots, m); ++k) {
         robots[i].battery = drawn + (1 - drawn) * k / steps;
@@ -75,14 +75,14 @@ void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenar
 void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
   std::vector<Moving> robots = at_rest(setup);
   if (robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
-    Oracle oracle(d, kernel, 0);
+    Oracle oracle(d, kernel, 0, setup.begins_us);
     const Vec3 from = robots[0].position, way = robots[1].position - from;
     go_on(oracle, robots,
           [&](std::vector<Moving>& next, double share) { next[0].position = from + share * way; });
   }
   const bool charge = speaks(d, sim::PropertyOp::battery) || speaks(d, sim::PropertyOp::energy_to);
   for (std::size_t i = 0; charge && i < std::min(robots.size(), robots_max); ++i) {
-    Oracle oracle(d, kernel, static_cast<int>(i));
+    Oracle oracle(d, kernel, static_cast<int>(i), setup.begins_us);
     const double full = robots[i].battery;
     go_on(oracle, robots,
           [&](std::vector<Moving>& next, double share) { next[i].battery = (1 - share) * full; });

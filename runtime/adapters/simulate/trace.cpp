@@ -43,6 +43,9 @@ double real(std::istream& in) {
 // The only noise that the world has to know, because of its wind.
 constexpr const char* lasting_noise = "lasting";
 
+// The year 9999.
+constexpr TimeUs begins_us_max = 253'402'300'800'000'000;
+
 // The lines before the tape.
 bool read_head(const std::string& word, std::istream& in, Trace& to) {
   if (word == "specification") {
@@ -57,6 +60,9 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
     constexpr TimeUs duration_us_max = 86'400'000'000;
     in >> to.setup.duration_us;
     if (to.setup.duration_us <= 0 || to.setup.duration_us > duration_us_max) return false;
+  } else if (word == "begins_us") {
+    in >> to.setup.begins_us;
+    if (to.setup.begins_us < 0 || to.setup.begins_us > begins_us_max) return false;
   } else if (word == "about") {
     in >> to.about;
   } else if (word == "undecided") {
@@ -121,6 +127,7 @@ std::string trace_text(const Case& all, const DecisionCase& decision, const Setu
       std::string(first_line) + "\nspecification " + all.specification + "\nmanifest " + hash +
       "\ndecision " + decision.name + "\nseed " + std::to_string(setup.seed) + "\nduration_us " +
       std::to_string(setup.duration_us) + "\nadversary " + setup.adversary->name + "\n";
+  if (setup.begins_us > 0) text += "begins_us " + std::to_string(setup.begins_us) + "\n";
   if (setup.hostility.noise == sim::Noise::lasting) {
     text += std::string("noise ") + lasting_noise + "\n";
   }

@@ -27,6 +27,7 @@ enum class PropertyOp {
   count,  // of other robots for which it holds
   // margins, in multiples of the scale of their unit
   truth,
+  open,  // zone `index` of those with times is there
   inside,
   at_least,  // of[0] >= of[1]; `flag`: strictly
   logical_not,
@@ -39,7 +40,7 @@ enum class PropertyOp {
 struct Property {
   PropertyOp op = PropertyOp::truth;
   double value = 1;   // of constants and truths; of at_least: the scale of its unit
-  int index = 0;      // zone, site or agent
+  int index = 0;      // zone, zone with times, site or agent
   bool flag = false;  // of at_least: strictly; of battery and speed: those of the other robot
   std::vector<Property> of;
 };
@@ -58,6 +59,7 @@ struct Surroundings {
   const std::vector<Vec3>* agents = nullptr;         // where they are now; null: far away
   std::vector<double> agent_radius_m{};
   std::vector<bool> agent_in_space{};  // the others are near whatever their height is
+  std::vector<bool> open{};            // by zone with times, whether it is there now
 };
 
 // A robot `self` that stands at `at` while everything else is as in `truths`.
@@ -78,7 +80,8 @@ Scene scene_of(const Surroundings& surroundings, const std::vector<TruthState>& 
 double margin_of(const Property& property, const Scene& scene);
 
 // The margin of a property that compares lengths with constants, and joins that by and, or and
-// quantifiers, falls by no more than this a metre that robots move; 0: it is another one.
+// quantifiers, and by what no robot changes, falls by no more than this a metre that robots move;
+// 0: it is another one.
 double steepness_per_m(const Property& property);
 // Does it speak of other robots, or of charge?
 bool speaks_of(const Property& property, PropertyOp op);

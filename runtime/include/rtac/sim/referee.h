@@ -33,6 +33,9 @@ class Referee {
   // as far as robots have moved, is not judged again; no result depends on that.
   void observe(TimeUs now_us, const std::vector<TruthState>& truths);
 
+  // Something has changed that no robot has moved: zones with times.
+  void look_anew() { anchors_.assign(anchors_.size(), Anchor{}); }
+
   [[nodiscard]] const LeastMargin& least(int monitor) const {
     return least_[static_cast<std::size_t>(monitor)];
   }
