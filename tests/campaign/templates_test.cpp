@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "kills.h"
+#include "tests/turn.h"
 
 namespace rtac::campaign {
 namespace {
@@ -39,6 +41,19 @@ std::vector<std::string> specs() {
   std::sort(names.begin(), names.end());
   return names;
 }
+// Nothing about them is unknown. By turns (tests/turn.h).
+TEST(TemplatesAtOnce, AreProvedOrAcknowledged) {
+  std::size_t number = 0;
+  for (const std::string& name : specs()) {
+    if (!test::is_due(number++)) continue;
+    const std::string path = std::string(RTAC_CAMPAIGN_SPECS) + "/templates/" + name + ".rta";
+    const std::string command =
+        std::string("'") + RTAC_PROGRAM + "' verify '" + path + "' >/dev/null 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << name;
+  }
+  EXPECT_GT(number, 40U);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Templates, ::testing::ValuesIn(specs()),
                          [](const auto& info) { return info.param; });
 
