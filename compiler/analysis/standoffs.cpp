@@ -82,6 +82,15 @@ std::vector<Standoff> fence_standoffs(const ir::Block& property,
   return all;
 }
 
+std::int64_t fence_standoff_mm(const ir::Block& property, const std::vector<ir::Param>& params,
+                               ir::ZoneIndex zone) {
+  std::int64_t most = 0;
+  for (const Standoff& each : fence_standoffs(property, params)) {
+    if (each.zone == zone) most = std::max(most, each.mm);
+  }
+  return most;
+}
+
 std::int64_t depth_mm(ir::ZoneIndex inner, const Standoff& outer, const HowItLies& lies) {
   const auto deep = [&](std::int64_t mm) { return lies(inner, {outer.zone, mm}) == Lies::deep; };
   if (inner == outer.zone || outer.mm <= 0 || !deep(1)) return 0;

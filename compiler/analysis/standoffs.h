@@ -34,6 +34,9 @@ struct Standoff {
 };
 std::vector<Standoff> fence_standoffs(const ir::Block& property,
                                       const std::vector<ir::Param>& params);
+// The largest one of that zone; 0: none.
+std::int64_t fence_standoff_mm(const ir::Block& property, const std::vector<ir::Param>& params,
+                               ir::ZoneIndex zone);
 
 // How a zone lies in another one: `deep` where each of its places keeps the standoff of that.
 enum class Lies { elsewhere, in, deep };

@@ -1,6 +1,7 @@
 #include "compiler/analysis/widening.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/sides.h"
@@ -50,6 +51,39 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
   }
 }
 
+using Works = std::function<bool(std::int64_t by_mm)>;
+
+// Between what does not work and what does.
+std::int64_t least_between(std::int64_t low_mm, std::int64_t high_mm, const Works& works) {
+  while (high_mm - low_mm > 1) {
+    const std::int64_t middle_mm = low_mm + (high_mm - low_mm) / 2;
+    (works(middle_mm) ? high_mm : low_mm) = middle_mm;
+  }
+  return high_mm;
+}
+// More than what does not work, by steps that double: each trial bakes the zone.
+std::optional<std::int64_t> least_above(std::int64_t low_mm, std::int64_t most_mm,
+                                        const Works& works) {
+  for (std::int64_t step_mm = 1; low_mm < most_mm; step_mm *= 2) {
+    const std::int64_t high_mm = std::min(low_mm + step_mm, most_mm);
+    if (works(high_mm)) return least_between(low_mm, high_mm, works);
+    low_mm = high_mm;
+  }
+  return std::nullopt;
+}
+// From a guess on: the least is near to it.
+std::optional<std::int64_t> least_that_works(std::int64_t guess_mm, std::int64_t most_mm,
+                                             const Works& works) {
+  std::int64_t high_mm = std::clamp<std::int64_t>(guess_mm, 1, most_mm);
+  if (!works(high_mm)) return least_above(high_mm, most_mm, works);
+  for (std::int64_t step_mm = 1; high_mm > 0; step_mm *= 2) {
+    const std::int64_t low_mm = std::max<std::int64_t>(high_mm - step_mm, 0);
+    if (low_mm == 0 || !works(low_mm)) return least_between(low_mm, high_mm, works);
+    high_mm = low_mm;
+  }
+  return high_mm;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t guess_mm,
@@ -63,29 +97,14 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
     return what(wider->edges,
                 {c.origin.x_mm, c.origin.y_mm, c.cell_mm, c.columns, c.rows, c.clearance_mm_lo});
   };
-  const auto works = [&](std::int64_t by_mm) { return holds(fits, by_mm); };
-  // from the guess, by steps that double: the least is near to it, and each trial bakes the zone
-  std::int64_t high = std::clamp<std::int64_t>(guess_mm, 1, most_mm), low = high, step = 1;
-  if (works(high)) {
-    while (low == high) {
-      low = std::max<std::int64_t>(high - step, 0);
-      if (low > 0 && works(low)) high = low;
-      step *= 2;
-    }
-  } else {
-    do {
-      if (high == most_mm) return std::nullopt;
-      low = high;
-      high = std::min(high + step, most_mm);
-      step *= 2;
-    } while (!works(high));
+  auto by_mm = least_that_works(guess_mm, most_mm, [&](auto mm) { return holds(fits, mm); });
+  // the grid of a zone that is a little wider may tell less of its passages than its walls do
+  if (by_mm && whole && !holds(whole, *by_mm)) {
+    by_mm =
+        least_above(*by_mm, most_mm, [&](auto mm) { return holds(fits, mm) && holds(whole, mm); });
   }
-  while (high - low > 1) {
-    const std::int64_t middle = low + (high - low) / 2;
-    (works(middle) ? high : low) = middle;
-  }
-  if (closes_a_gap(zone, high) || (whole && !holds(whole, high))) return std::nullopt;
-  return high;
+  if (!by_mm || closes_a_gap(zone, *by_mm)) return std::nullopt;
+  return by_mm;
 }
 
 std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table,

@@ -132,12 +132,10 @@ JointNeeds joint_needs_of(const Subject& s) {
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     const ir::Monitor& m = s.decision.monitors[k];
     if (m.lookahead.duration) {
-      analysis::Standoffs own;
-      analysis::ask_for_standoffs(m.property, params, own);
-      const std::int64_t mm =
-          analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm;
+      const std::int64_t back_mm =
+          analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
       for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {
-        add(all.zones, {zone, mm});
+        add(all.zones, {zone, back_mm + analysis::fence_standoff_mm(m.property, params, zone)});
       }
     }
     if (!m.return_when) continue;

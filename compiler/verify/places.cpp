@@ -100,13 +100,12 @@ std::vector<Need> needs_of(const Subject& s) {
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     const ir::Monitor& m = s.decision.monitors[k];
     if (!m.lookahead.duration) continue;
-    analysis::Standoffs own;
-    analysis::ask_for_standoffs(m.property, s.decision.facts.params, own);
-    const std::int64_t back_mm =
-        analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own.fence_mm;
-    for (const ir::ZoneIndex zone : analysis::fences_of(m.property, s.decision.facts.params)) {
-      const std::int64_t mm = std::max(
-          back_mm, analysis::asked_clearance_mm(s.module, s.decision, k, zone, how_it_lies(s)));
+    const auto& params = s.decision.facts.params;
+    const std::int64_t back_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+    for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {
+      const std::int64_t mm =
+          std::max(back_mm + analysis::fence_standoff_mm(m.property, params, zone),
+                   analysis::asked_clearance_mm(s.module, s.decision, k, zone, how_it_lies(s)));
       const auto known =
           std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
       if (known == all.end()) {
@@ -131,13 +130,10 @@ struct Witness {
 // How clear of each zone that it names a robot at rest has to be to be seen to have what the
 // property asks for.
 std::vector<Need> seen_needs(const Subject& s, const ir::Monitor& m) {
-  const auto asked = analysis::fence_standoffs(m.property, s.decision.facts.params);
   std::vector<Need> needs;
   for (const ir::ZoneIndex zone : places_of(s, m)) {
-    std::int64_t own_mm = 0;
-    for (const analysis::Standoff& each : asked) {
-      if (each.zone == zone) own_mm = std::max(own_mm, each.mm);
-    }
+    const std::int64_t own_mm =
+        analysis::fence_standoff_mm(m.property, s.decision.facts.params, zone);
     const std::int64_t need_mm =
         s.decision.on_plan
             ? 0
