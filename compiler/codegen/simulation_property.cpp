@@ -125,6 +125,27 @@ class Tree {
     return input("input", i.input, i.component);
   }
   Json node(const Expr&, const sema::IsValue& i) { return told(i.input, i.component, i.value); }
+  // Some value is that of both.
+  Json node(const Expr&, const sema::SameValue& s) {
+    Json same{{"op", "or"}, {"of", Json::array()}};
+    const auto count =
+        static_cast<std::uint32_t>(spec_[*spec_[s.left.input].enumeration].values.size());
+    for (std::uint32_t value = 0; value < count; ++value) {
+      same["of"].push_back(
+          Json{{"op", "and"},
+               {"of", Json::array({told(s.left.input, s.left.component, value),
+                                   told(s.right.input, s.right.component, value)})}});
+    }
+    return same;
+  }
+  Json node(const Expr&, const sema::Math& m) {
+    static const char* const names[] = {"min", "max", "abs", "sqrt", "norm", "sin", "cos"};
+    return with(names[static_cast<std::size_t>(m.op)], m.operands);
+  }
+  Json node(const Expr&, const sema::Choice& c) {
+    return {{"op", "choice"},
+            {"of", Json::array({of(*c.condition), of(*c.then_value), of(*c.else_value)})}};
+  }
   // A number, or a truth that holds where the input is `value`.
   Json input(const char* op, sema::InputId id, std::uint32_t component) {
     const std::string& name = spec_[id].name;
@@ -197,7 +218,7 @@ class Tree {
     looks_back_us_ -= span_us;
     return json;
   }
-  // Plans, numbers that are computed of inputs.
+  // Plans, and how old measurements are.
   template <class Other>
   Json node(const Expr&, const Other&) {
     return refuse("what the true state of a robot does not tell");

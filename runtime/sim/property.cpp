@@ -34,23 +34,9 @@ class Evaluation {
       case PropertyOp::forall:
       case PropertyOp::exists:
         return others(p, p.op == PropertyOp::forall);
-      case PropertyOp::constant:
-      case PropertyOp::battery:
-      case PropertyOp::speed:
-      case PropertyOp::clearance:
-      case PropertyOp::distance:
-      case PropertyOp::altitude:
-      case PropertyOp::agent_distance:
-      case PropertyOp::energy_to:
-      case PropertyOp::add:
-      case PropertyOp::subtract:
-      case PropertyOp::multiply:
-      case PropertyOp::divide:
-      case PropertyOp::negate:
-      case PropertyOp::count:
-        break;
+      default:
+        return -infinite;  // no condition: nothing holds
     }
-    return -infinite;  // no condition: nothing holds
   }
 
  private:
@@ -93,16 +79,8 @@ class Evaluation {
         return agent_distance(static_cast<std::size_t>(p.index));
       case PropertyOp::energy_to:
         return energy_to(p.index);
-      case PropertyOp::add:
-        return quantity(p.of[0], other) + quantity(p.of[1], other);
-      case PropertyOp::subtract:
-        return quantity(p.of[0], other) - quantity(p.of[1], other);
-      case PropertyOp::multiply:
-        return quantity(p.of[0], other) * quantity(p.of[1], other);
-      case PropertyOp::divide:
-        return quantity(p.of[0], other) / quantity(p.of[1], other);
-      case PropertyOp::negate:
-        return -quantity(p.of[0], other);
+      case PropertyOp::choice:
+        return quantity(p.of[margin(p.of[0], other) >= 0 ? 1 : 2], other);
       case PropertyOp::count:
         return count(p);
       case PropertyOp::truth:
@@ -114,9 +92,10 @@ class Evaluation {
       case PropertyOp::logical_or:
       case PropertyOp::forall:
       case PropertyOp::exists:
-        break;
+        return std::numeric_limits<double>::quiet_NaN();
+      default:
+        return combined(p.op, p.of.size(), [&](std::size_t k) { return quantity(p.of[k], other); });
     }
-    return std::numeric_limits<double>::quiet_NaN();
   }
   double count(const Property& p) const {
     int found = 0;

@@ -95,29 +95,24 @@ sim::Property& at(sim::Property& root, const std::vector<std::size_t>& path) {
   return *p;
 }
 
+bool may_be(const sim::Property& p, bool so);
+
 // Of constants alone; nothing: something else decides, too.
 std::optional<double> constant(const sim::Property& p) {
   if (p.op == sim::PropertyOp::constant) return p.value;
+  if (p.of.empty()) return std::nullopt;
+  if (p.op == sim::PropertyOp::choice) {
+    const bool holds = may_be(p.of[0], true);
+    return holds && may_be(p.of[0], false) ? std::nullopt : constant(p.of[holds ? 1 : 2]);
+  }
   std::vector<double> of;
   for (const sim::Property& each : p.of) {
     const std::optional<double> value = constant(each);
     if (!value) return std::nullopt;
     of.push_back(*value);
   }
-  switch (p.op) {
-    case sim::PropertyOp::add:
-      return of[0] + of[1];
-    case sim::PropertyOp::subtract:
-      return of[0] - of[1];
-    case sim::PropertyOp::multiply:
-      return of[0] * of[1];
-    case sim::PropertyOp::divide:
-      return of[0] / of[1];
-    case sim::PropertyOp::negate:
-      return -of[0];
-    default:
-      return std::nullopt;
-  }
+  const double value = sim::combined(p.op, of.size(), [&](std::size_t k) { return of[k]; });
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
 // Whether it may be so, wherever robots are.

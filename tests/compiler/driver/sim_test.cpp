@@ -701,6 +701,35 @@ TEST_F(Simulations, ThePastOfInputsIsAsTheyAre) {
   EXPECT_GT(most_mps("false"), 0.05);
 }
 
+// Numbers that are made of inputs are what those make them.
+TEST_F(Simulations, NumbersAreMadeOfInputs) {
+  std::string text = edited(yard("50 ms", "r inside yard"), "zone yard",
+                            "enum Mode { gentle, keen }\ninput open : bool;\n"
+                            "input is, was : Mode;\ninput lean : vector [deg] in -9 .. 9 deg;\n"
+                            "input load : real [kg] in -5 .. 5 kg;\nzone yard");
+  text = edited(text, "decision",
+                "monitor fit for r : Rover { \"R2: it is fit\" always abs(load) <= 3 kg and "
+                "norm(lean) <= 8 deg and max(load, 1 kg) <= (if open then 2 kg else 4 kg) and "
+                "sqrt(load * load) <= 3 kg and min(load, 0 kg) >= -2 kg and is == was and "
+                "cos(lean.x) >= 0.9 and sin(lean.y) >= 0; ahead 50 ms; recover turn_back; }\n"
+                "decision");
+  write("told.rta", edited(text, "priority fence", "priority fit > fence"));
+  const auto advanced = [&](const std::string& inputs) {
+    write("said.json", R"({"runs": 2, "duration_s": 4, "inputs": )" + inputs + "}");
+    const Outcome o = rtac({"sim", "told.rta", "--scenario", "said.json"});
+    EXPECT_EQ(o.status, 0) << o.out << o.err;
+    return o.out.find("advanced controller: 0.0 %") == std::string::npos;
+  };
+  const std::string fit = R"("is": "keen", "was": "keen", "lean": [1, 2])";
+  EXPECT_TRUE(advanced(R"({"open": false, "load": 2.5, )" + fit + "}"));
+  EXPECT_FALSE(advanced(R"({"open": true, "load": 2.5, )" + fit + "}"));
+  EXPECT_FALSE(advanced(R"({"open": false, "load": -2.5, )" + fit + "}"));
+  EXPECT_FALSE(advanced(R"({"open": true, "load": 1, "is": "keen", "was": "gentle"})"));
+  EXPECT_FALSE(
+      advanced(R"({"open": true, "load": 1, "is": "keen", "was": "keen", "lean": [0.05, -0.05]})"));
+  EXPECT_TRUE(advanced("{}"));
+}
+
 // Nothing is known then: that is not the same as no violation.
 TEST_F(Simulations, WhatCannotBeSimulatedIsInconclusive) {
   write("door.rta",

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "rtac/sim/math.h"
 #include "rtac/sim/random.h"
 #include "rtac/sim/referee.h"
 #include "scene.h"
@@ -35,6 +36,27 @@ Property at_least(Property a, Property b, double scale = 1, bool strict = false)
   p.value = scale;
   p.flag = strict;
   return p;
+}
+
+double made(PropertyOp op, std::vector<double> of) {
+  return combined(op, of.size(), [&](std::size_t k) { return of[k]; });
+}
+
+TEST(Arithmetic, EachOperationIsItsOwn) {
+  EXPECT_EQ(made(PropertyOp::add, {2, 3}), 5);
+  EXPECT_EQ(made(PropertyOp::subtract, {2, 3}), -1);
+  EXPECT_EQ(made(PropertyOp::multiply, {2, 3}), 6);
+  EXPECT_EQ(made(PropertyOp::divide, {3, 2}), 1.5);
+  EXPECT_EQ(made(PropertyOp::negate, {2}), -2);
+  EXPECT_EQ(made(PropertyOp::minimum, {2, -3, 1}), -3);
+  EXPECT_EQ(made(PropertyOp::maximum, {2, -3, 5}), 5);
+  EXPECT_EQ(made(PropertyOp::absolute, {-2}), 2);
+  EXPECT_EQ(made(PropertyOp::square_root, {9}), 3);
+  EXPECT_EQ(made(PropertyOp::norm, {2, -3, 6}), 7);
+  EXPECT_EQ(made(PropertyOp::norm, {-2}), 2);
+  EXPECT_NEAR(made(PropertyOp::sine, {pi / 6}), 0.5, 1e-12);
+  EXPECT_NEAR(made(PropertyOp::cosine, {pi / 3}), 0.5, 1e-12);
+  EXPECT_TRUE(std::isnan(made(PropertyOp::inside, {1})));
 }
 
 class Properties : public ::testing::Test {

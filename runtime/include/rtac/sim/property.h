@@ -1,9 +1,12 @@
 // Properties of robots as they are written, judged on the true state in doubles.
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "rtac/sim/math.h"
 #include "rtac/sim/world.h"
 #include "rtac/zone.h"
 
@@ -24,7 +27,15 @@ enum class PropertyOp {
   multiply,
   divide,
   negate,
-  count,  // of other robots for which it holds
+  minimum,
+  maximum,
+  absolute,
+  square_root,
+  norm,
+  sine,  // of radians
+  cosine,
+  choice,  // of[1] where of[0] holds, else of[2]
+  count,   // of other robots for which it holds
   // margins, in multiples of the scale of their unit
   truth,
   open,  // zone `index` of those with times is there
@@ -74,6 +85,43 @@ struct Scene {
 };
 // Where it is.
 Scene scene_of(const Surroundings& surroundings, const std::vector<TruthState>& truths, int self);
+
+// What arithmetic makes of `count` numbers, each `at(k)`; no number of another operation.
+template <class At>
+double combined(PropertyOp op, std::size_t count, const At& at) {
+  double result = at(0);
+  switch (op) {
+    case PropertyOp::add:
+      return result + at(1);
+    case PropertyOp::subtract:
+      return result - at(1);
+    case PropertyOp::multiply:
+      return result * at(1);
+    case PropertyOp::divide:
+      return result / at(1);
+    case PropertyOp::negate:
+      return -result;
+    case PropertyOp::minimum:
+      for (std::size_t k = 1; k < count; ++k) result = std::fmin(result, at(k));
+      return result;
+    case PropertyOp::maximum:
+      for (std::size_t k = 1; k < count; ++k) result = std::fmax(result, at(k));
+      return result;
+    case PropertyOp::absolute:
+      return std::fabs(result);
+    case PropertyOp::square_root:
+      return std::sqrt(result);
+    case PropertyOp::norm:
+      for (std::size_t k = 1; k < count; ++k) result = std::hypot(result, at(k));
+      return std::fabs(result);
+    case PropertyOp::sine:
+      return sin_cos(result).sin;
+    case PropertyOp::cosine:
+      return sin_cos(result).cos;
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+}
 
 // Signed: not negative where it holds. Atoms without a quantity are infinite. Zones are looked at
 // edge by edge, whatever tables there are.
