@@ -174,9 +174,22 @@ class InSpace {
               : "places of `" + module_[step.zone].name +
                     "` are nearer, and it keeps from the boundary of that zone as much as it "
                     "has where it sets out, and no more",
-          "a zone all of whose places are that far off works");
+          "a zone all of whose places are that far off " + as_far_off(step, each));
     }
     return std::nullopt;
+  }
+  // What is left of the zone, if that works.
+  [[nodiscard]] std::string as_far_off(const ir::Recovery& step, const Standoff& fence) const {
+    if (trials_ == nullptr) return "works";  // nobody reads it
+    const std::vector<ZonePart> parts{{{step.zone}}, {{fence.zone}, fence.mm}};
+    const std::string text = written_as(*trials_, module_, parts);
+    if (text.empty()) return "works";
+    const Fault fault = fault_of(Code::recovery_elsewhere, written_.recover_range);
+    const bool works =
+        works_within(*trials_, fault, written_.range, step.name, module_, step.zone, parts)
+            .value_or(false);
+    return works ? "works, such as `" + text + "`"
+                 : "is needed, and not alone: in `" + text + "` other errors are left";
   }
   // From outside its zone it makes straight for it, as in the plane: what is convex is not left.
   Found across(const ir::Recovery& step) const {

@@ -23,9 +23,8 @@ class Writer {
   Writer(const Trials& trials, const ir::Module& module, const SourceRange& range)
       : trials_(trials), module_(module), range_(range) {}
 
-  // Null: a part is a slab, or is one of several that have heights.
+  // Null: a part is a slab.
   ZoneExprPtr common(const std::vector<ZonePart>& parts) const {
-    if (!whole(parts) && has_height(parts)) return nullptr;
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const ZonePart& part : parts) {
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
@@ -54,10 +53,6 @@ class Writer {
   }
 
  private:
-  // A zone as it is.
-  static bool whole(const std::vector<ZonePart>& parts) {
-    return parts.size() == 1 && parts[0].either.size() == 1 && parts[0].off_mm == 0;
-  }
   template <class Node>
   ZoneExprPtr make(Node node) const {
     auto made = std::make_unique<ZoneExpr>();

@@ -20,7 +20,7 @@ struct ZonePart {
 };
 // Whether `fault` is gone, nothing is wrong that was right, and no error of places is left in
 // `all_of`, when `recovery` moves in what all of `parts` have in common instead of `from`. none: a
-// zone is a slab, or one of several that have heights, so that it cannot be tried.
+// zone is a slab, so that it cannot be tried.
 std::optional<bool> works_within(Trials& trials, const Fault& fault, const SourceRange& all_of,
                                  const std::string& recovery, const ir::Module& module,
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts);

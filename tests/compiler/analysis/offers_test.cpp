@@ -274,5 +274,69 @@ TEST(Landing, KeepsAZoneThatGetsNoNarrowerDownwards) {
   EXPECT_TRUE(faulty(landing(whole, "clearance(q, area) >= 80 cm")));
 }
 
+// In space, too, what is left of the zone is offered, and works.
+TEST(Offers, WhatIsAsFarOffAsIsAskedInSpace) {
+  const std::string page = R"(spec air;
+zone plot     = box (0 m, 0 m, 0 m) to (60 m, 40 m, 30 m);
+zone building = box (25 m, 15 m, 0 m) to (35 m, 25 m, 12 m);
+zone sky      = plot - building;
+zone clear    = sky - grow(building, 2 m);
+robot Drone {
+  body     radius 40 cm;
+  motion   point { speed <= 4 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense    position : point3  error 10 cm   max_age 100 ms;
+  sense    velocity : vector3 error 10 cm/s max_age 100 ms;
+  output   thrust : acceleration;
+  latency  50 ms;
+}
+fleet d1 : Drone;
+controller fly  : advanced for Drone extern;
+controller back : safe for Drone = retreat within sky speed 1 m/s;
+monitor house for d : Drone { "R1: off the building" always distance(d, building) >= 2 m; ahead 200 ms; recover back; }
+monitor fence for d : Drone { "R2: in the plot" always d inside plot; ahead 200 ms; recover back; }
+decision drive for Drone { advanced fly; period 100 ms; priority house > fence; }
+)";
+  const auto c = compiled(page);
+  EXPECT_FALSE(c->module);
+  EXPECT_NE(reports(*c).find("works, such as `sky - grow(building, 2 m)`"), std::string::npos)
+      << reports(*c);
+  const auto mended = compiled(edited(page, "within sky", "within clear"));
+  EXPECT_TRUE(mended->module) << reports(*mended);
+}
+
+// Two halls, and a lane between them that is too narrow for the ways of the recovery. A grid that
+// happens to lie well is not enough: what is offered works by the walls, too.
+TEST(Offers, AWidthOfALaneThatWorks) {
+  const std::string page = R"(spec halls;
+zone west = rectangle (0 m, 0 m) to (6 m, 5 m);
+zone east = rectangle (9 m, 0 m) to (15 m, 5 m);
+zone lane = rectangle (6 m, 2 m) to (9 m, 3.2 m);
+zone free = west | lane | east;
+robot Mower {
+  body     radius 30 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 1.5 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 6 rad/s^2; }
+  sense    position : point   error 3 cm    max_age 100 ms;
+  sense    heading  : angle   error 2 deg   max_age 100 ms;
+  sense    velocity : vector  error 3 cm/s  max_age 100 ms;
+  output   drive : twist;
+  latency  50 ms;
+}
+fleet m1 : Mower;
+controller mow  : advanced for Mower extern;
+controller back : safe for Mower = retreat within free speed 0.3 m/s;
+monitor fence for r : Mower { "R1: in the halls" always r inside free; ahead 200 ms; recover back; }
+decision drive for Mower { advanced mow; period 100 ms; priority fence; }
+)";
+  const auto c = compiled(page);
+  const std::string said = reports(*c), offer = "(`grow(free, ";
+  const std::size_t at = said.find(offer);
+  ASSERT_NE(at, std::string::npos) << said;
+  const std::string by = said.substr(at + offer.size(), said.find(" m)", at) - at - offer.size());
+  const auto wider = compiled(
+      edited(edited(edited(page, "inside free", "inside wide"), "within free", "within wide"),
+             "robot Mower", "zone wide = grow(free, " + by + " m);\nrobot Mower"));
+  EXPECT_TRUE(wider->diagnostics.all().empty()) << by << reports(*wider);
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test

@@ -690,6 +690,39 @@ TEST_F(Verify, WhatWorksForOneMonitorIsSaidOfAllTogether) {
   EXPECT_EQ(together, own);
 }
 
+// A fence that asks for more of one of its zones asks for that of this one alone: whoever goes home
+// within what is left lets nobody take over.
+TEST_F(Verify, AFenceAsksOfEachZoneWhatItSaysOfIt) {
+  const Outcome o = verified(R"(spec garden;
+zone lawn = rectangle (0 m, 0 m) to (20 m, 12 m);
+zone pond = circle (10 m, 6 m) radius 2 m;
+zone free = lawn - grow(pond, 50 cm);
+robot Mower {
+  body     radius 30 cm;
+  motion   unicycle { speed <= 0.8 m/s; turn <= 1.5 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 6 rad/s^2; }
+  sense    position : point   error 3 cm    max_age 100 ms;
+  sense    heading  : angle   error 2 deg   max_age 100 ms;
+  sense    velocity : vector  error 3 cm/s  max_age 100 ms;
+  sense    battery  : ratio   error 0.5 %   max_age 5 s;
+  output   drive : twist;
+  latency  50 ms;
+  energy   { drive <= 0.4 %/m; idle <= 0.01 %/s; drain <= 0.4 %/s; charge >= 1 %/s at dock; held <= 60 s; detour <= 10 m; }
+}
+site dock = (2 m, 2 m);
+fleet m1 : Mower;
+controller mow  : advanced for Mower extern;
+controller home : safe for Mower = route to dock within free speed 0.4 m/s;
+controller back : safe for Mower = retreat within free speed 0.3 m/s;
+monitor fence for r : Mower { "R1: on the lawn, 50 cm off the pond" always r inside lawn and distance(r, pond) >= 50 cm; ahead 200 ms; recover back; }
+monitor battery for r : Mower { "R2: home" always r.battery >= energy_to(dock) + 5 %; ahead 200 ms; recover home; return when r.battery >= 90 %; }
+decision drive for Mower { advanced mow; period 100 ms; priority fence > battery; }
+)",
+                             {"-o", "certificates"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
 // What takes turns on the integration machine (.ci/run): a test that has another name now would run
 // every time.
 TEST(SlowTests, AreThere) {
