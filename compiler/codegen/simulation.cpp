@@ -170,7 +170,6 @@ class Decisions {
       j["dock_mps"] = metres(ir::charged_up_to_mmps(d.body));
     }
     facts_ = {};
-    facts_.period_us = d.period_us;
     for (const ir::Channel* c : plain_inputs(d)) {
       if (c->kind == ir::ChannelKind::zone) {
         problem(d.name, "asks for the zone `" + c->name + "`, which is received while it runs");
@@ -188,8 +187,31 @@ class Decisions {
     j["monitors"] = Json::array();
     for (const ir::Monitor& m : d.monitors) j["monitors"].push_back(monitor(d, m, kind, *at));
     for (const sema::ZoneId zone : facts_.timed) j["openings"].push_back(openings(d, spec_[zone]));
-    if (facts_.memory_us > 0) j["memory_us"] = facts_.memory_us;
+    if (const std::int64_t us = memory(d, kind); us > 0) j["memory_us"] = us;
     return j;
+  }
+  // As long as its monitors look back, and until control is given back then.
+  std::int64_t memory(const ir::Decision& d, sema::KindId kind) {
+    // a step takes a microsecond and more, in each run
+    constexpr std::int64_t ticks_most = 200'000;
+    std::int64_t most_us = 0;
+    for (const ir::Monitor& m : d.monitors) {
+      const sema::Monitor& from = written(m, kind);
+      most_us = std::max(most_us, memory_us(*from.always, d.period_us));
+      if (from.return_when) most_us = std::max(most_us, memory_us(*from.return_when, d.period_us));
+    }
+    if (most_us == 0) return 0;
+    if (most_us / d.period_us * d.robots > ticks_most) {
+      problem(d.name, "looks back over " + std::to_string(most_us / d.period_us) +
+                          " ticks of each of its robots, and " + std::to_string(ticks_most) +
+                          " in all can be played before a run");
+    }
+    return most_us + (d.dwell_ticks + 1) * d.period_us;
+  }
+  const sema::Monitor& written(const ir::Monitor& m, sema::KindId kind) const {
+    return *std::find_if(
+        spec_.monitors.begin(), spec_.monitors.end(),
+        [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });
   }
   // As they are written; those of the week since its Monday.
   static Json openings(const ir::Decision& d, const sema::Zone& zone) {
@@ -293,11 +315,8 @@ class Decisions {
     if (m.lookahead.duration) {
       j[m.lookahead.command ? "command_us" : "horizon_us"] = ir::horizon_us(d, m);
     }
-    const auto written = std::find_if(
-        spec_.monitors.begin(), spec_.monitors.end(),
-        [&](const sema::Monitor& each) { return each.name == m.name && each.kind == kind; });
     std::string why;
-    auto tree = property_tree(spec_, kind, tables_, *written->always, facts_, why);
+    auto tree = property_tree(spec_, kind, tables_, *written(m, kind).always, facts_, why);
     if (!tree) problem(d.name, "has a monitor `" + m.name + "` that speaks of " + why);
     if (tree) j["property"] = std::move(*tree);
     return j;

@@ -167,33 +167,29 @@ class Tree {
   }
   // Measured anew in every tick.
   Json node(const Expr&, const sema::AgeOf&) { return {{"op", "const"}, {"value", 0.0}}; }
-  Json node(const Expr& e, const sema::HeldFor& h) { return past(e, *h.operand, h.duration); }
-  Json node(const Expr& e, const sema::Previously& p) {
-    return past(e, *p.operand, facts_.period_us);
-  }
-  Json node(const Expr& e, const sema::Past& p) { return past(e, *p.operand, p.interval.from); }
+  Json node(const Expr& e, const sema::HeldFor& h) { return past(e, *h.operand); }
+  Json node(const Expr& e, const sema::Previously& p) { return past(e, *p.operand); }
+  Json node(const Expr& e, const sema::Past& p) { return past(e, *p.operand); }
   // Of an interval that begins before now, both have to hold; otherwise it is as if it began now.
   Json node(const Expr& e, const sema::Since& s) {
-    if (s.interval.from.value == 0) return past(e, *s.right, s.interval.from);
+    if (s.interval.from.value == 0) return past(e, *s.right);
     Json both = Json{{"op", "and"}, {"of", Json::array()}};
     for (const Expr* each : {s.left.get(), s.right.get()}) {
-      both["of"].push_back(past(e, *each, s.interval.from));
+      both["of"].push_back(past(e, *each));
     }
     return both;
   }
   Json node(const Expr& e, const sema::WithinOf& w) {
-    Json missed = with("not", past(e, *w.trigger, w.duration));
-    return {{"op", "or"},
-            {"of", Json::array({past(e, *w.operand, w.duration), std::move(missed)})}};
+    Json missed = with("not", past(e, *w.trigger));
+    return {{"op", "or"}, {"of", Json::array({past(e, *w.operand), std::move(missed)})}};
   }
   Json node(const Expr& e, const sema::Aggregate& a) {
     switch (a.op) {
       case sema::AggregateOp::minimum:
       case sema::AggregateOp::maximum:
       case sema::AggregateOp::mean:
-        return past(e, *a.operand, a.interval.from);
+        return past(e, *a.operand);
       case sema::AggregateOp::rate:
-        (void)past(e, *a.operand, *a.interval.to);
         return {{"op", "const"}, {"value", 0.0}};
       case sema::AggregateOp::sum:
       case sema::AggregateOp::count:
@@ -201,22 +197,16 @@ class Tree {
     }
     return refuse("how often something was so, which runs do not count");
   }
-  // What was so `span` ago, and has stayed so since.
-  Json past(const Expr& all, const Expr& operand, const sema::Quantity& span) {
-    return past(all, operand, ceil_to_int(Rational(span.value * 1'000'000)));
-  }
-  Json past(const Expr& all, const Expr& operand, std::int64_t span_us) {
+  // What has always been so.
+  Json past(const Expr& all, const Expr& operand) {
     bool changes = sema::speaks_of_robot(all);
     sema::for_each_expr(all, [&](const Expr& each) {
       changes = changes || std::holds_alternative<sema::ZoneOpen>(each.node);
     });
-    if (changes)
+    if (changes) {
       return refuse("the past of robots or of zones with times, which runs do not follow");
-    looks_back_us_ += span_us;
-    facts_.memory_us = std::max(facts_.memory_us, looks_back_us_);
-    Json json = of(operand);
-    looks_back_us_ -= span_us;
-    return json;
+    }
+    return of(operand);
   }
   // Plans, and how old measurements are.
   template <class Other>
@@ -228,11 +218,43 @@ class Tree {
   const sema::KindId kind_;
   const ir::TableMap& tables_;
   Facts& facts_;
-  std::int64_t looks_back_us_ = 0;  // the operators around what is looked at
   std::string why_;
 };
 
 }  // namespace
+
+namespace {
+
+std::int64_t us_of(const sema::Quantity& time) {
+  return ceil_to_int(Rational(time.value * 1'000'000));
+}
+
+// From when on an operator over what has always been so is what it is for ever; none: it is of now.
+struct LooksBack {
+  std::int64_t period_us;
+  std::int64_t operator()(const sema::HeldFor& h) const { return us_of(h.duration); }
+  std::int64_t operator()(const sema::Previously&) const { return period_us; }
+  std::int64_t operator()(const sema::Past& p) const { return us_of(p.interval.from); }
+  std::int64_t operator()(const sema::Since& s) const { return us_of(s.interval.from); }
+  std::int64_t operator()(const sema::WithinOf& w) const { return us_of(w.duration); }
+  std::int64_t operator()(const sema::Aggregate& a) const {
+    return us_of(a.op == sema::AggregateOp::rate ? *a.interval.to : a.interval.from);
+  }
+  template <class Other>
+  std::int64_t operator()(const Other&) const {
+    return 0;
+  }
+};
+
+}  // namespace
+
+std::int64_t memory_us(const Expr& e, std::int64_t period_us) {
+  std::int64_t below_us = 0;
+  sema::for_each_operand(e, [&](const sema::ExprPtr& operand) {
+    below_us = std::max(below_us, memory_us(*operand, period_us));
+  });
+  return below_us + (sema::speaks_of_robot(e) ? 0 : std::visit(LooksBack{period_us}, e.node));
+}
 
 std::optional<Json> property_tree(const sema::Spec& spec, sema::KindId kind,
                                   const ir::TableMap& tables, const Expr& property, Facts& facts,

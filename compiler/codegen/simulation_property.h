@@ -14,12 +14,8 @@ namespace rtac::codegen {
 
 // What the properties of a decision speak of, besides robots.
 struct Facts {
-  std::int64_t period_us = 0;
   std::set<std::string> inputs;     // those that are told of
   std::vector<sema::ZoneId> timed;  // zones that are there at certain times
-  // From then on what they say of the past of inputs is as it is for ever, if inputs stay as they
-  // are.
-  std::int64_t memory_us = 0;
 };
 
 // `{"op": "and", "of": [...]}`; lengths in m, charge 1 = full, zones and sites by their number in
@@ -30,6 +26,10 @@ std::optional<nlohmann::ordered_json> property_tree(const sema::Spec& spec, sema
                                                     const ir::TableMap& tables,
                                                     const sema::Expr& property, Facts& facts,
                                                     std::string& why);
+
+// From when on what an expression says of the past of inputs is as it is for ever, if they stay as
+// they are. Of the past of robots it says nothing.
+std::int64_t memory_us(const sema::Expr& e, std::int64_t period_us);
 
 // The double nearest to the number.
 double nearest_double(const Rational& value);

@@ -133,7 +133,7 @@ TimeUs draw_begin(const std::vector<Openings>& calendar, TimeUs span_us, sim::Ra
   if (moments.empty()) return monday_us(week_of_runs);
   const auto which = static_cast<std::size_t>(random.below(std::int64_t(moments.size())));
   const TimeUs begin_us = moments[which] - longest_lead_us(calendar) - random.below(span_us);
-  return std::max<TimeUs>(begin_us, day_us);
+  return std::max<TimeUs>(begin_us, 0);
 }
 
 std::string utc_text(TimeUs utc_us) {
@@ -151,7 +151,10 @@ std::string utc_text(TimeUs utc_us) {
   return text;
 }
 
-std::optional<TimeUs> utc_of(const std::string& text) {
+std::optional<TimeUs> utc_of(const std::string& written) {
+  constexpr std::size_t without_seconds = 17;  // as specifications may have it
+  const bool whole = written.size() == without_seconds && written.back() == 'Z';
+  const std::string text = whole ? written.substr(0, without_seconds - 1) + ":00Z" : written;
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
   if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2d:%2dZ", &year, &month, &day, &hour, &minute,
                   &second) != 6) {

@@ -30,7 +30,7 @@ std::vector<TimeUs> changes_between(const std::vector<Openings>& calendar, TimeU
                                     TimeUs until_us);
 
 // A property without times, whose zones are there, or not, whatever is worse, where that changes
-// between the two moments.
+// between the two moments. No arithmetic but sums and differences is about them.
 sim::Property at_its_worst(const sim::Property& property, const std::vector<Openings>& calendar,
                            TimeUs from_us, TimeUs until_us);
 
@@ -41,7 +41,8 @@ TimeUs longest_lead_us(const std::vector<Openings>& calendar);
 // before `span_us` more have passed.
 TimeUs draw_begin(const std::vector<Openings>& calendar, TimeUs span_us, sim::Random& random);
 
-// "2026-05-01T08:00:00Z", and back; nothing: it is no such moment between 1970 and 9999.
+// "2026-05-01T08:00:00Z", and back, also without seconds; nothing: it is no such moment between
+// 1970 and 9999.
 std::string utc_text(TimeUs utc_us);
 std::optional<TimeUs> utc_of(const std::string& text);
 

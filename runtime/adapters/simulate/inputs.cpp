@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "rtac/sim/random.h"
@@ -16,7 +18,7 @@ constexpr std::uint64_t input_stream = 3005;
 std::string number(double value) {
   constexpr std::size_t widest = 32;
   char text[widest];
-  std::snprintf(text, widest, "%.6g", value);
+  std::snprintf(text, widest, value == std::floor(value) ? "%.15g" : "%.6g", value);
   return text;
 }
 
@@ -138,6 +140,23 @@ bool may_be(const sim::Property& p, bool so) {
   }
 }
 
+bool is_condition(sim::PropertyOp op) {
+  switch (op) {
+    case sim::PropertyOp::truth:
+    case sim::PropertyOp::open:
+    case sim::PropertyOp::inside:
+    case sim::PropertyOp::at_least:
+    case sim::PropertyOp::logical_not:
+    case sim::PropertyOp::logical_and:
+    case sim::PropertyOp::logical_or:
+    case sim::PropertyOp::forall:
+    case sim::PropertyOp::exists:
+      return true;
+    default:
+      return false;
+  }
+}
+
 // Nothing but inputs decides whether it holds.
 bool of_inputs_alone(const sim::Property& p) {
   if (p.op == sim::PropertyOp::constant || p.op == sim::PropertyOp::truth) return true;
@@ -155,6 +174,28 @@ DecisionCase told_of(const DecisionCase& decision, const Told& told) {
   return d;
 }
 
+// What inputs alone decide is true or false, by no margin that would hide what robots do, and what
+// they alone make is a number.
+void settle(sim::Property& p) {
+  for (sim::Property& each : p.of) settle(each);
+  sim::Property decided;
+  if (p.op == sim::PropertyOp::choice && p.of[0].op == sim::PropertyOp::truth) {
+    decided = std::move(p.of[p.of[0].value != 0 ? 1 : 2]);
+  } else if (is_condition(p.op)) {
+    // whoever is alone has no others of whom it could be false
+    const bool of_others = p.op == sim::PropertyOp::forall || p.op == sim::PropertyOp::exists;
+    if (of_others || !of_inputs_alone(p)) return;
+    decided.op = sim::PropertyOp::truth;
+    decided.value = may_be(p, true) ? 1 : 0;
+  } else {
+    const std::optional<double> number = constant(p);
+    if (!number) return;
+    decided.op = sim::PropertyOp::constant;
+    decided.value = *number;
+  }
+  p = std::move(decided);
+}
+
 Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& random) {
   Told told;
   for (const Input& input : decision.inputs) {
@@ -170,6 +211,72 @@ Told draw(const DecisionCase& decision, const Scenario& scenario, sim::Random& r
     }
   }
   return told;
+}
+
+// How many parts of a property would have to be another way, so that it may be `so`.
+int parts_amiss(const sim::Property& p, bool so) {
+  const auto of_all = [&](bool all) {
+    int most = all ? 0 : std::numeric_limits<int>::max();
+    for (const sim::Property& each : p.of) {
+      const int amiss = parts_amiss(each, so);
+      most = all ? most + amiss : std::min(most, amiss);
+    }
+    return most;
+  };
+  switch (p.op) {
+    case sim::PropertyOp::logical_not:
+      return parts_amiss(p.of[0], !so);
+    case sim::PropertyOp::logical_and:
+      return of_all(so);
+    case sim::PropertyOp::logical_or:
+      return of_all(!so);
+    default:
+      return may_be(p, so) ? 0 : 1;
+  }
+}
+int parts_amiss(const DecisionCase& decision, const Scenario& scenario, const Told& told) {
+  const DecisionCase d = told_of(decision, told);
+  int amiss = 0;
+  for (std::size_t k = 0; k < d.properties.size(); ++k) {
+    amiss += parts_amiss(d.properties[k], d.monitors[k].name != scenario.unmet);
+  }
+  return amiss;
+}
+
+// Of a number its ends, and another draw; of the others everything that they can be.
+std::vector<double> choices(const Input& input, const Input::Component& c, sim::Random& random) {
+  constexpr double values_most = 16;
+  std::vector<double> all{drawn(input, c, random), c.drawn_least, c.drawn_most};
+  if (is_real(input) || c.drawn_most - c.drawn_least > values_most) return all;
+  for (double value = std::ceil(c.drawn_least); value <= c.drawn_most; ++value) {
+    all.push_back(value);
+  }
+  return all;
+}
+
+// One after the other becomes what leaves fewer parts amiss, as long as that helps: of many inputs
+// hardly any draw is right in all of them.
+void better(const DecisionCase& decision, const Scenario& scenario, sim::Random& random,
+            Told& told) {
+  int amiss = parts_amiss(decision, scenario, told);
+  for (int before = amiss + 1; amiss > 0 && amiss < before;) {
+    before = amiss;
+    std::size_t component = 0;
+    for (const Input& input : decision.inputs) {
+      for (const Input::Component& c : input.components) {
+        const std::size_t k = component++;
+        if (given(scenario, input.name) != nullptr) continue;
+        for (const double value : choices(input, c, random)) {
+          const double was = std::exchange(told.is[k], value);
+          const int now = parts_amiss(decision, scenario, told);
+          if (now >= amiss) told.is[k] = was;
+          amiss = std::min(amiss, now);
+        }
+        const double measured = told.is[k] + random.sign() * c.error;
+        told.measured[k] = std::clamp(measured, c.least, c.most);
+      }
+    }
+  }
 }
 
 // The decision with the inputs that a scenario gives; the others may be anything.
@@ -236,12 +343,15 @@ Problem never_hold(const DecisionCase& decision, const Scenario& scenario, const
 
 Problem draw_inputs(const DecisionCase& decision, const Scenario& scenario, std::uint64_t seed,
                     std::uint64_t draw_number, Told& told) {
-  constexpr int draws = 1000;
+  constexpr int draws = 1000, draws_apart = 40;  // between two that are made better
   sim::Random random = sim::Random::stream(seed, input_stream, draw_number);
   for (int n = 0; n < draws; ++n) {
     told = draw(decision, scenario, random);
     // no property depends on them
     if (decision.mentions.empty() && scenario.unmet.empty()) return {};
+    if (fits(decision, scenario, told)) return {};
+    if (n % draws_apart != 0) continue;
+    better(decision, scenario, random, told);
     if (fits(decision, scenario, told)) return {};
   }
   return never_hold(decision, scenario, told);
@@ -265,6 +375,7 @@ bool can_be(const DecisionCase& decision, const Told& told) {
 
 DecisionCase with_inputs(const DecisionCase& decision, const Told& told) {
   DecisionCase d = told_of(decision, told);
+  for (sim::Property& p : d.properties) settle(p);
   for (const Mention& m : d.mentions) {
     sim::Property& p = d.properties[m.monitor];
     if (!of_inputs_alone(p) || may_be(p, true)) continue;

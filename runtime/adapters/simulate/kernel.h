@@ -35,6 +35,9 @@ class Kernel {
   void* handle_ = nullptr;
 };
 
+// What the clock of a kernel shows where nothing depends on it: no sample is older than that.
+inline constexpr TimeUs early_us = 1'000'000'000;
+
 // The newest sample that a robot has of an agent.
 using SeesAgent = std::function<Sample<Vec3>(int robot, int agent, TimeUs now_us)>;
 

@@ -1,6 +1,7 @@
 #include "oracle.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtac::simulate {
 namespace {
@@ -49,8 +50,17 @@ Observation observed(const DecisionCase& decision, int self, const std::vector<M
   return o;
 }
 
+void remember(KernelDecision& kernel, const DecisionCase& decision, int self,
+              const std::vector<Moving>& standing, TimeUs begin_us) {
+  const TimeUs period_us = decision.period_us;
+  for (TimeUs tick = (decision.memory_us + period_us - 1) / period_us; tick > 0; --tick) {
+    (void)kernel.step(observed(decision, self, standing, begin_us - tick * period_us, {}), false,
+                      false);
+  }
+}
+
 Oracle::Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, int self,
-               TimeUs begins_us)
+               std::optional<TimeUs> begins_us)
     : decision_(decision),
       self_(self),
       agents_(decision.agents.size(), far_away),
@@ -60,7 +70,7 @@ Oracle::Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, in
             const auto k = static_cast<std::size_t>(agent);
             return Sample<Vec3>{agents_[k], now_us - decision_.agents[k].age_us};
           },
-          begins_us == 0 ? 0 : begins_us - oracle_begins_us) {}
+          begins_us.value_or(early_us + decision.memory_us)) {}
 
 TimeUs Oracle::position_age_us() const {
   return position_age(decision_);
@@ -69,15 +79,21 @@ TimeUs Oracle::velocity_age_us() const {
   return decision_.limits.velocity_age_us;
 }
 
-const DecisionRecord& Oracle::step(const std::vector<Moving>& robots, int tick, Vec3 proposed) {
-  const TimeUs now_us = oracle_begins_us + tick * decision_.period_us;
+void Oracle::start(const std::vector<Moving>& robots) {
+  kernel_.reset();
+  now_us_ = 0;
+  remember(kernel_, decision_, self_, robots, now_us_);
+}
+
+const DecisionRecord& Oracle::step(const std::vector<Moving>& robots, Vec3 proposed) {
+  const TimeUs now_us = std::exchange(now_us_, now_us_ + decision_.period_us);
   return kernel_.step(observed(decision_, self_, robots, now_us, proposed), false, false);
 }
 
 int Oracle::ticks_until_advanced(const std::vector<Moving>& robots) {
-  kernel_.reset();
+  start(robots);
   for (int k = 1; k <= ticks_max; ++k) {
-    if (step(robots, k, {}).mode == 0) return k;
+    if (step(robots, {}).mode == 0) return k;
   }
   return 0;
 }
@@ -91,14 +107,14 @@ bool Oracle::settle(const std::vector<Moving>& robots) {
 }
 
 bool Oracle::holds(const std::vector<Moving>& robots, std::size_t monitor) {
-  kernel_.reset();
-  return step(robots, 1, {}).monitors[monitor].now == Verdict::is_true;
+  start(robots);
+  return step(robots, {}).monitors[monitor].now == Verdict::is_true;
 }
 
 bool Oracle::passes(const std::vector<Moving>& robots, std::size_t monitor) {
-  kernel_.reset();
-  for (int k = 1; k <= ticks_; ++k) (void)step(settled_, k, {});
-  return step(robots, ticks_ + 1, proposed_).monitors[monitor].ahead == Verdict::is_true;
+  start(robots);
+  for (int k = 1; k <= ticks_; ++k) (void)step(settled_, {});
+  return step(robots, proposed_).monitors[monitor].ahead == Verdict::is_true;
 }
 
 }  // namespace rtac::simulate

@@ -1,6 +1,7 @@
 // A compiled decision that is asked one thing: would it let the advanced controller go on here?
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel.h"
@@ -22,15 +23,17 @@ struct Moving {
 Observation observed(const DecisionCase& decision, int self, const std::vector<Moving>& robots,
                      TimeUs now_us, Vec3 proposed);
 
-// What its clock shows, unless it is told to show something else: no sample is older than that.
-inline constexpr TimeUs oracle_begins_us = 1'000'000'000;
+// Steps a decision about robots that have stood so for as long as its properties look back, up to
+// the tick before `begin_us`.
+void remember(KernelDecision& kernel, const DecisionCase& decision, int self,
+              const std::vector<Moving>& standing, TimeUs begin_us);
 
 class Oracle {
  public:
   // Of the robot `self`. All of it outlives the oracle. `begins_us`: what its clock
-  // shows; 0: any time.
+  // shows; nothing: any time.
   Oracle(const DecisionCase& decision, const Kernel::Functions& kernel, int self,
-         TimeUs begins_us = 0);
+         std::optional<TimeUs> begins_us = std::nullopt);
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
 
@@ -51,7 +54,8 @@ class Oracle {
   [[nodiscard]] TimeUs velocity_age_us() const;
 
  private:
-  const DecisionRecord& step(const std::vector<Moving>& robots, int tick, Vec3 proposed);
+  void start(const std::vector<Moving>& robots);
+  const DecisionRecord& step(const std::vector<Moving>& robots, Vec3 proposed);
   int ticks_until_advanced(const std::vector<Moving>& robots);
 
   const DecisionCase& decision_;
@@ -61,6 +65,7 @@ class Oracle {
   KernelDecision kernel_;
   std::vector<Moving> settled_;
   int ticks_ = 0;
+  TimeUs now_us_ = 0;
 };
 
 }  // namespace rtac::simulate

@@ -18,7 +18,6 @@
 #include <sstream>
 
 #include "conservatism.h"
-#include "oracle.h"
 #include "rtac/sim/picture.h"
 #include "summary.h"
 #include "tighten.h"
@@ -156,7 +155,7 @@ class Program {
       Told told;
       if (Problem p = draw_inputs(case_.decisions[d], scenario_, scenario_.seed, 0, told)) return p;
       DecisionCase decision = with_inputs(case_.decisions[d], told);
-      decision.surroundings.open = open_at(decision.calendar, oracle_begins_us);
+      decision.surroundings.open = open_at(decision.calendar, early_us + decision.memory_us);
       const double share_s = core_s / static_cast<double>(case_.decisions.size());
       out_ << tightness_json(decision, measure_tightness(decision, functions_[d], share_s));
     }

@@ -169,7 +169,7 @@ class Fleet {
             return now_us < 0 ? Sample<Vec3>{far_away, now_us} : crowd.see(robot, agent, now_us);
           },
           setup.begins_us));
-      remember(i);
+      remember_starts(i);
       attacks_.push_back(
           std::make_unique<Taped<Output>>(attack(setup, i, arena), "command", i, tape));
       parts_.push_back(parts(i));
@@ -210,17 +210,13 @@ class Fleet {
   }
 
  private:
-  // Before it begins robots have stood where they start, for as long as properties look back.
-  void remember(int robot) {
+  // Before it begins robots have stood where they start.
+  void remember_starts(int robot) {
     std::vector<Moving> standing;
     for (const RobotStart& s : setup_.starts) {
       standing.push_back({{s.place.x, s.place.y, s.height_m}, {}, s.heading_rad, s.battery});
     }
-    const TimeUs period_us = decision_.period_us;
-    for (TimeUs tick = (decision_.memory_us + period_us - 1) / period_us; tick > 0; --tick) {
-      const Observation o = observed(decision_, robot, standing, -tick * period_us, {});
-      (void)decisions_.back()->step(o, false, false);
-    }
+    remember(*decisions_.back(), decision_, robot, standing, 0);
   }
   std::unique_ptr<Controller<Output>> attack(const Setup& setup, int robot, const Arena& arena) {
     const Adversary& adversary = *setup.of_robot[static_cast<std::size_t>(robot)];
@@ -317,7 +313,7 @@ Problem run_as(const DecisionCase& decision, const Kernel::Functions& kernel, co
     options.wind = [&](int robot) { return arena.threat(robot, setup.adversary->aim).direction; };
   }
   sim::World<Output> world(bodies(decision, setup), options);
-  sim::Crowd crowd(decision.agents, decision.properties, surroundings, world.truths(),
+  sim::Crowd crowd(decision.agents, at_worst.properties, surroundings, world.truths(),
                    setup.hostility, setup.seed, tape);
   arena.watch(world.truths());
   sim::Referee referee(surroundings, decision.properties, robots, setup.about);

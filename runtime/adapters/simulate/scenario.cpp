@@ -129,7 +129,7 @@ void take(const std::string& key, const Json& value, Scenario& to) {
   if (key == "duration_s") {
     to.duration_us = time(value, key, us_per_s, duration_s_min);
   } else if (key == "begins") {
-    to.begins_us = utc_of(text(value, key));
+    to.begins_us = value.is_string() ? utc_of(value.get<std::string>()) : std::nullopt;
     if (!to.begins_us) {
       throw Unfit{"`begins` of the scenario is " + value.dump(),
                   "a moment works, `\"2026-05-01T08:00:00Z\"`"};
@@ -404,6 +404,12 @@ Problem check_names(const Scenario& scenario, const Case& all) {
     if (find_adversary(name) == nullptr) {
       return {"no adversary is called `" + name + "`", "there are " + adversary_names()};
     }
+  }
+  const bool no_clock = std::all_of(all.decisions.begin(), all.decisions.end(),
+                                    [](const DecisionCase& d) { return d.calendar.empty(); });
+  if (scenario.begins_us && no_clock) {
+    return {"the scenario says when it begins, and no monitor speaks of a zone with times",
+            "leave `begins` out"};
   }
   std::vector<std::string> robots;
   for (const auto& [robot, name] : scenario.adversary_of) robots.push_back(robot);

@@ -66,7 +66,6 @@ bool stand(const DecisionCase& d, const std::vector<TruthState>& truths) {
 // A run begins somewhere around the moment at which a zone comes or goes, and lasts longer by what
 // decisions look ahead at that.
 void set_clock(const DecisionCase& d, const Scenario& scenario, Setup& to) {
-  constexpr TimeUs early_us = 1'000'000'000;  // no sample is older than the clock
   to.begins_us = scenario.begins_us.value_or(d.memory_us > 0 ? early_us + d.memory_us : 0);
   if (d.calendar.empty() || scenario.begins_us) return;
   Random random = Random::stream(to.seed, clock_stream, 0);

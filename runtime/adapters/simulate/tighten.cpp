@@ -1,6 +1,7 @@
 #include "tighten.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "oracle.h"
@@ -44,6 +45,11 @@ std::vector<Moving> at_rest(const Setup& setup) {
   return robots;
 }
 
+// Where nothing depends on it, any.
+std::optional<TimeUs> clock_of(const DecisionCase& d, const Setup& setup) {
+  return d.calendar.empty() ? std::nullopt : std::optional<TimeUs>(setup.begins_us);
+}
+
 bool is_given(const Scenario& scenario, const std::string& robot) {
   return std::any_of(scenario.starts.begin(), scenario.starts.end(), [&](const auto& start) {
     return start.first == robot && start.second.battery.has_value();
@@ -60,7 +66,7 @@ void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenar
     if (!speaks_of(d.properties[m], sim::PropertyOp::energy_to)) continue;
     for (std::size_t i = 0; i < std::min(robots.size(), robots_max); ++i) {
       if (is_given(scenario, d.robots[i])) continue;
-      Oracle oracle(d, kernel, static_cast<int>(i), setup.begins_us);
+      Oracle oracle(d, kernel, static_cast<int>(i), clock_of(d, setup));
       const double drawn = robots[i].battery;
       for (int k = 0; k <= steps && !oracle.holds(robots, m); ++k) {
         robots[i].battery = drawn + (1 - drawn) * k / steps;
@@ -75,14 +81,14 @@ void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenar
 void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
   std::vector<Moving> robots = at_rest(setup);
   if (robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
-    Oracle oracle(d, kernel, 0, setup.begins_us);
+    Oracle oracle(d, kernel, 0, clock_of(d, setup));
     const Vec3 from = robots[0].position, way = robots[1].position - from;
     go_on(oracle, robots,
           [&](std::vector<Moving>& next, double share) { next[0].position = from + share * way; });
   }
   const bool charge = speaks(d, sim::PropertyOp::battery) || speaks(d, sim::PropertyOp::energy_to);
   for (std::size_t i = 0; charge && i < std::min(robots.size(), robots_max); ++i) {
-    Oracle oracle(d, kernel, static_cast<int>(i), setup.begins_us);
+    Oracle oracle(d, kernel, static_cast<int>(i), clock_of(d, setup));
     const double full = robots[i].battery;
     go_on(oracle, robots,
           [&](std::vector<Moving>& next, double share) { next[i].battery = (1 - share) * full; });

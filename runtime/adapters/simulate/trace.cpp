@@ -57,7 +57,7 @@ bool read_head(const std::string& word, std::istream& in, Trace& to) {
   } else if (word == "seed") {
     in >> to.setup.seed;
   } else if (word == "duration_us") {
-    constexpr TimeUs duration_us_max = 86'400'000'000;
+    constexpr TimeUs duration_us_max = 10 * 86'400'000'000;  // with what is looked ahead
     in >> to.setup.duration_us;
     if (to.setup.duration_us <= 0 || to.setup.duration_us > duration_us_max) return false;
   } else if (word == "begins_us") {

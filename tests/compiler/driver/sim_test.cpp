@@ -679,6 +679,15 @@ TEST_F(Simulations, AScenarioSaysWhenItBegins) {
   write("eve.json", R"({"begins": "2026-01-09T18:00:00Z", "starts": {"r1": {"at": [6, 4]}}})");
   const Outcome eve = rtac({"sim", "hours.rta", "--scenario", "eve.json", "--runs", "8"});
   EXPECT_EQ(eve.status, 0) << eve.out << eve.err;
+  write("short.json", R"({"begins": "2026-01-09T12:00Z", "starts": {"r1": {"at": [6, 4]}}})");
+  EXPECT_EQ(rtac({"sim", "hours.rta", "--scenario", "short.json", "--runs", "1"}).status, 3);
+  write("plain.rta", yard("50 ms"));
+  const Outcome plain = rtac({"sim", "plain.rta", "--scenario", "eve.json"});
+  EXPECT_EQ(plain.status, 2) << plain.out;
+  EXPECT_NE(plain.err.find("no monitor speaks of a zone with times"), std::string::npos);
+  write("number.json", R"({"begins": 17})");
+  EXPECT_NE(rtac({"sim", "hours.rta", "--scenario", "number.json"}).err.find("a moment works"),
+            std::string::npos);
   write("never.json", R"({"begins": "2026-02-30T18:00:00Z"})");
   const Outcome never = rtac({"sim", "hours.rta", "--scenario", "never.json"});
   EXPECT_EQ(never.status, 2) << never.out;
@@ -728,6 +737,69 @@ TEST_F(Simulations, NumbersAreMadeOfInputs) {
   EXPECT_FALSE(
       advanced(R"({"open": true, "load": 1, "is": "keen", "was": "keen", "lean": [0.14, -0.14]})"));
   EXPECT_TRUE(advanced("{}"));
+}
+
+// What inputs decide has no margin: one that is on its limit hides nothing of what robots do, and a
+// condition and its opposite do not hold at once.
+TEST_F(Simulations, AnInputOnItsLimitHidesNothing) {
+  const auto ran = [&](const std::string& always, const char* scenario, const char* mutant) {
+    write("told.rta",
+          edited(yard("50 ms", always), "zone yard", "input n, x : int in 0 .. 9;\nzone yard"));
+    write("said.json", scenario);
+    std::vector<std::string> words{"sim", "told.rta", "--scenario", "said.json"};
+    if (*mutant != '\0') words.insert(words.end(), {"--mutate", mutant});
+    return rtac(words);
+  };
+  const std::string slow = "r inside yard and (n >= 5 implies r.speed <= 0.5 m/s)";
+  for (const char* const n : {"5", "6"}) {
+    const std::string scenario = std::string(R"({"runs": 8, "inputs": {"n": )") + n + "}}";
+    EXPECT_EQ(ran(slow, scenario.c_str(), "no-acceleration").status, 3) << n;
+  }
+  EXPECT_EQ(ran("r inside yard and (n > 5 or r.speed <= 0.5 m/s)",
+                R"({"runs": 8, "inputs": {"n": 5}})", "no-acceleration")
+                .status,
+            3);
+  const Outcome o =
+      ran("r inside yard and (x <= (if not (n >= 5) then 1 else 3) or r.speed <= 0.5 m/s)",
+          R"({"runs": 8, "inputs": {"n": 5, "x": 2}})", "");
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
+}
+
+// Who starts knows what was so, its charge is drawn by that, and so does what decides when control
+// comes back.
+TEST_F(Simulations, StartsAndReturnsKnowThePast) {
+  const auto permitted = [&](const std::string& always, const std::string& ending) {
+    const std::string text = edited(yard("50 ms", "r inside yard and (" + always + ")"),
+                                    "zone yard", "input permit : bool;\nzone yard");
+    write("told.rta", edited(text, "recover turn_back;", "recover turn_back; " + ending));
+    write("said.json", R"({"inputs": {"permit": true}, "runs": 8, "return_within_s": 25,
+                           "starts": "tight", "adversary": "bang-bang"})");
+    return rtac({"sim", "told.rta", "--scenario", "said.json"});
+  };
+  const Outcome returns =
+      permitted("permit or not permit", "return when once[10 min, 20 min] permit;");
+  EXPECT_EQ(returns.status, 0) << returns.out << returns.err;
+  const std::string plain = permitted("permit", "").out,
+                    held = permitted("permit for 1 min", "").out;
+  EXPECT_NE(plain.find("advanced controller: "), std::string::npos) << plain;
+  EXPECT_NE(held.find("advanced controller: "), std::string::npos) << held;
+  const std::string far = permitted("once[24 h, 25 h] permit", "").err;
+  EXPECT_NE(far.find("error[9008]"), std::string::npos) << far;
+  EXPECT_NE(far.find("looks back over 1728000 ticks"), std::string::npos) << far;
+}
+
+// Of many inputs hardly any draw is right in all of them.
+TEST_F(Simulations, ManyInputsAreDrawnSoThatAllIsWell) {
+  std::string names = "input level : real [m] in 0 .. 10 m;\n", all = "r inside yard";
+  for (int k = 0; k < 14; ++k) {
+    const std::string name = "switch" + std::to_string(k);
+    names += "input " + name + " : bool;\n";
+    all += k % 2 == 0 ? " and " + name : " and not " + name;
+  }
+  write("told.rta",
+        edited(yard("50 ms", all + " and level >= 9.99 m"), "zone yard", names + "zone yard"));
+  const Outcome o = rtac({"sim", "told.rta", "--runs", "4"});
+  EXPECT_EQ(o.status, 0) << o.out << o.err;
 }
 
 // Nothing is known then: that is not the same as no violation.
