@@ -48,9 +48,10 @@ using Box = std::map<Name, Span>;
 // A property in a box.
 class Reader {
  public:
-  // `stays`: inputs are what they are for ever, so that the past is as now.
-  Reader(const sema::Spec& spec, const Box& box, bool stays)
-      : spec_(spec), box_(box), stays_(stays) {}
+  // `stays`: inputs are what they are for ever, so that the past is as now; else they have been
+  // anything in `ever`.
+  Reader(const sema::Spec& spec, const Box& box, const Box& ever, bool stays)
+      : spec_(spec), box_(box), ever_(ever), stays_(stays) {}
 
   // `suits`: what anything is that inputs do not decide.
   [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
@@ -61,11 +62,12 @@ class Reader {
     if (const auto* v = std::get_if<sema::IsValue>(&e.node)) return is_value(*v, suits);
     if (const auto* v = std::get_if<sema::SameValue>(&e.node)) return same(*v, suits);
     if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return held(*v->operand, suits);
-    if (const auto* v = std::get_if<sema::Previously>(&e.node)) return past(*v->operand, suits);
+    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
+      return past(*v->operand, suits, false, false);
+    }
     if (const auto* v = std::get_if<sema::Past>(&e.node)) {
-      const bool now = sgn(v->interval.from.value) == 0;
-      const bool always = v->op == sema::PastOp::historically;
-      return now && always ? held(*v->operand, suits) : past(*v->operand, suits);
+      return past(*v->operand, suits, sgn(v->interval.from.value) == 0,
+                  v->op == sema::PastOp::historically);
     }
     return from(suits);
   }
@@ -117,8 +119,12 @@ class Reader {
     const Truth3 now = truth(e, suits);
     return stays_ || now == Truth3::no ? now : Truth3::open;
   }
-  [[nodiscard]] Truth3 past(const sema::Expr& e, bool suits) const {
-    return stays_ ? truth(e, suits) : Truth3::open;
+  // All of what has been so, or some of it, now included or not; at first there is nothing of it.
+  [[nodiscard]] Truth3 past(const sema::Expr& e, bool suits, bool with_now, bool all) const {
+    const Truth3 end = all ? Truth3::yes : Truth3::no;  // what nothing is, too
+    if (Reader(spec_, ever_, ever_, stays_).truth(e, suits) == end) return end;
+    const Truth3 now = truth(e, suits);
+    return stays_ || (with_now && now == negated(end)) ? now : Truth3::open;
   }
 
   [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
@@ -228,6 +234,7 @@ class Reader {
 
   const sema::Spec& spec_;
   const Box& box_;
+  const Box& ever_;
   bool stays_;
 };
 
@@ -240,6 +247,17 @@ class Search {
 
   Told run() {
     if (variables_.empty()) return {};
+    for (const auto& [name, variable] : variables_) {
+      ever_[name] = {Rational(variable.span.lo - variable.error),
+                     Rational(variable.span.hi + variable.error)};
+    }
+    // what can be for ever is found sooner among what stays; that nothing can be, is not
+    const Told lasting = search(true);
+    return lasting.can == CanBeTold::yes || !looks_back_ ? lasting : search(false);
+  }
+
+ private:
+  Told search(bool stays) const {
     Box all;
     for (const auto& [name, variable] : variables_) all[name] = variable.span;
     std::vector<Box> left{std::move(all)};
@@ -249,7 +267,7 @@ class Search {
       if (looked >= most) return {CanBeTold::open, {}};
       const Box box = std::move(left.back());
       left.pop_back();
-      if (is_out(box)) continue;
+      if (is_out(box, stays)) continue;
       for (const Rational& share : {Rational(1, 2), Rational(0), Rational(1)}) {
         const Box point = point_of(box, share);
         if (is_found(point)) return {CanBeTold::yes, inputs_of(point)};
@@ -259,7 +277,6 @@ class Search {
     return {open ? CanBeTold::open : CanBeTold::no, {}};
   }
 
- private:
   void collect(const sema::Expr& e) {
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
     if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);
@@ -267,6 +284,9 @@ class Search {
       add(v->left.input, v->left.component);
       add(v->right.input, v->right.component);
     }
+    looks_back_ = looks_back_ || std::holds_alternative<sema::HeldFor>(e.node) ||
+                  std::holds_alternative<sema::Previously>(e.node) ||
+                  std::holds_alternative<sema::Past>(e.node);
     if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
       const sema::Param& p = spec_[v->param];
       variables_[{true, static_cast<std::uint32_t>(v->param), 0}] = {
@@ -296,9 +316,12 @@ class Search {
 
   // Wherever in the box the property is not as it is asked to be. What is seen has to hold with
   // every error, so with the largest ones, too.
-  [[nodiscard]] bool is_out(const Box& box) const {
+  [[nodiscard]] bool is_out(const Box& box, bool stays) const {
     const Truth3 other = from(!value_);
-    if (Reader(spec_, box, false).truth(property_, value_) == other) return true;
+    const auto reads = [&](const Box& of) {
+      return Reader(spec_, of, stays ? of : ever_, stays).truth(property_, value_);
+    };
+    if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
     for (const auto& [name, variable] : variables_) {
       if (sgn(variable.error) == 0) continue;
@@ -306,7 +329,7 @@ class Search {
         Box moved = box;
         Span& span = moved[name];
         span = {Rational(span.lo + by), Rational(span.hi + by)};
-        if (Reader(spec_, moved, false).truth(property_, value_) == other) return true;
+        if (reads(moved) == other) return true;
       }
     }
     return false;
@@ -321,7 +344,7 @@ class Search {
       const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
       span = {Rational(span.lo - by), Rational(span.hi + by)};
     }
-    return Reader(spec_, seen, true).truth(property_, value_) == from(value_);
+    return Reader(spec_, seen, seen, true).truth(property_, value_) == from(value_);
   }
   // On the grid, where it has one.
   [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
@@ -379,6 +402,8 @@ class Search {
   const sema::Expr& property_;
   bool value_;
   ToldHow how_;
+  Box ever_;  // whatever is measured
+  bool looks_back_ = false;
   Variables variables_;
 };
 

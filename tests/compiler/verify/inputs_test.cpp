@@ -70,6 +70,26 @@ TEST_F(OfInputs, WhatIsNeverFalseFindsNothing) {
   EXPECT_EQ(statuses(o.out, "not vacuous", "tip"), Statuses{"proved"}) << o.out;
 }
 
+// The past is of what inputs may have been: what they never are has never been so.
+TEST_F(OfInputs, ThePastIsOfWhatTheyMayBe) {
+  for (const char* property :
+       {"historically[0 s, 2 s] (load >= -2 kg)", "historically[1 s, 2 s] (load >= -2 kg)",
+        "once[0 s, 2 s] (tilt <= 30)", "not previously (count > 9)"}) {
+    const Outcome o = verified(page(property), {"--format", "json"});
+    EXPECT_EQ(statuses(o.out, "not vacuous", "tip"), Statuses{"refuted"}) << property;
+  }
+  for (const char* property :
+       {"historically[0 s, 2 s] (mode == idle or load >= 5 kg)",
+        "historically[1 s, 2 s] (mode == idle or load >= 5 kg)", "once[1 s, 2 s] (tilt <= 20)",
+        "not previously (count > 8)", "door for 2 s"}) {
+    const Outcome o = verified(page(property), {"--format", "json", "-o", "certificates"});
+    EXPECT_EQ(statuses(o.out, "satisfiable", "tip"), Statuses{"proved"}) << property << o.err;
+    EXPECT_EQ(statuses(o.out, "not vacuous", "tip"), Statuses{"proved"}) << property;
+    const Outcome again = recheck_sealed_anew();
+    EXPECT_EQ(again.out.find("not proved:"), std::string::npos) << property << again.out;
+  }
+}
+
 TEST_F(OfInputs, OthersInACertificateAreNoticed) {
   const Outcome o = verified(page("r inside yard and load <= 50 kg and (door or mode == lift)"),
                              {"--format", "json", "-o", "certificates"});
