@@ -54,11 +54,30 @@ Zone where_held(const TakeOver& at, const Held& held, const Centres& centres_of)
   return all;
 }
 
+// The same of bodies in the plane; what is known already is not found again.
+Region centres_where_held(const TakeOver& at, const Held& held) {
+  if (at.known == nullptr) return where_held<Region>(at, held, centres);
+  std::vector<std::vector<KnownPlaces::Off>> key;
+  for (const std::vector<Standoff>& either : held) {
+    key.emplace_back();
+    for (const Standoff& each : either) key.back().emplace_back(each.zone, each.mm);
+  }
+  const auto [found, is_new] = at.known->held.try_emplace(std::move(key));
+  if (is_new) found->second = where_held<Region>(at, held, centres);
+  return found->second;
+}
+std::optional<Region> inside_of(const TakeOver& at, ir::ZoneIndex zone, std::int64_t mm) {
+  if (at.known == nullptr) return within(at.exact(zone), mm);
+  const auto [found, is_new] = at.known->within.try_emplace({zone, mm});
+  if (is_new) found->second = within(at.exact(zone), mm);
+  return found->second;
+}
+
 // Bodies with their centres there lie in the zone, so far from its boundary.
 bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres, std::int64_t off_mm) {
   const std::int64_t body_mm =
       std::max<std::int64_t>(at.decision.body.radius_mm + off_mm - offsets_round_mm, 0);
-  const auto inside = within(at.exact(zone), body_mm);
+  const auto inside = inside_of(at, zone, body_mm);
   return inside && inside->contains(centres);
 }
 
@@ -79,7 +98,7 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
         .subtract(at.solid(zone).shrink(by, upright))
         .empty();
   }
-  return fits_all(at, zone, where_held<Region>(at, held, centres), 0);
+  return fits_all(at, zone, centres_where_held(at, held), 0);
 }
 
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
@@ -120,7 +139,7 @@ Asked asked_of(const TakeOver& at, ir::ZoneIndex fence) {
 std::int64_t depth_mm(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence,
                       std::int64_t most_mm) {
   const auto is_deep = [&](std::int64_t mm) {
-    const auto inside = within(at.exact(fence), mm);
+    const auto inside = inside_of(at, fence, mm);
     return inside && inside->contains(at.exact(zone));
   };
   std::int64_t deep = 0, not_deep = most_mm + 1;

@@ -3,6 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/analysis/recoveries_in_space.h"
@@ -10,6 +14,14 @@
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
+
+// Places that many pairs of a decision ask for: those within a zone, by how far from its boundary
+// in mm, and those where monitors hold, by the zones and standoffs that they ask for.
+struct KnownPlaces {
+  using Off = std::pair<ir::ZoneIndex, std::int64_t>;
+  std::map<Off, std::optional<geometry::Region>> within;
+  std::map<std::vector<std::vector<Off>>, geometry::Region> held;
+};
 
 // Where a recovery may take over while the property of monitor `judged` holds, and those of all
 // monitors that are relied on (fences.h).
@@ -19,6 +31,7 @@ struct TakeOver {
   const ExactZone& exact;
   const ExactSolid& solid;
   std::size_t judged = 0;
+  KnownPlaces* known = nullptr;  // none: each is found anew
 };
 
 // Whether each body that may be there lies in the zone: from nowhere has it to be led in. false

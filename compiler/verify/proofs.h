@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "compiler/analysis/arbitration.h"
+#include "compiler/analysis/straight_in.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
 #include "compiler/protocol/protocol.h"
@@ -31,6 +33,7 @@ struct Subject {
   const std::function<const geometry::Solid&(ir::ZoneIndex)>& solid;  // of a zone with height
   const sema::RobotKind& kind;
   bool is_read = true;  // somebody reads the texts, and not only what is shown
+  std::shared_ptr<analysis::KnownPlaces> known = std::make_shared<analysis::KnownPlaces>();
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const {
     return spec[written.priority[k]];
   }

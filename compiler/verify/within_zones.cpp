@@ -189,7 +189,7 @@ std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) 
   const Keeping asked = keeping_of(s, k, s.decision.monitors[judged].property);
   if (asked.received) return "where the zone that is received will be is not known";
   const analysis::ExactSolid solid = any_solid(s);
-  const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged};
+  const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged, s.known.get()};
   const ir::Monitor& driving = s.decision.monitors[k];
   for (const ir::Recovery* step : leading_steps(s, driving, s.decision.monitors[judged])) {
     for (const analysis::Standoff& outer : asked.zones) {
