@@ -188,8 +188,7 @@ class InSpace {
     const bool works =
         works_within(*trials_, fault, written_.range, step.name, module_, step.zone, parts)
             .value_or(false);
-    return works ? "works, such as `" + text + "`"
-                 : "is needed, and not alone: in `" + text + "` other errors are left";
+    return works ? "works, such as `" + text + "`" : needed_besides(trials_, text);
   }
   // From outside its zone it makes straight for it, as in the plane: what is convex is not left.
   Found across(const ir::Recovery& step) const {

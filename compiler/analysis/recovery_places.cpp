@@ -200,8 +200,7 @@ class Places {
               : such.empty() ? ", such as that one with a name"
                              : ", such as `" + such + "`");
     }
-    return in + " is needed, and not alone" +
-           (such.empty() ? ": other errors are left" : ": in `" + such + "` other errors are left");
+    return in + " " + needed_besides(trials_, such);
   }
   [[nodiscard]] bool is_unnamed(ir::ZoneIndex zone) const {
     const auto id = trials_->zone_of(zone);
@@ -239,11 +238,10 @@ class Places {
     std::vector<ZonePart> parts{{{zone}, fence.mm}};
     if (zone != step.zone) parts.push_back({{step.zone}});
     const bool works = !deep.empty() && tried(d.code, step, parts).value_or(true);
-    d.help = deep.empty() || works
-                 ? "a zone all of whose places are that far off works" +
-                       (works ? ", such as `" + deep + "`" : "")
-                 : "a zone all of whose places are that far off is needed, and not alone: in `" +
-                       deep + "` other errors are left";
+    const std::string far_off = "a zone all of whose places are that far off ";
+    d.help = !deep.empty() && !works
+                 ? far_off + needed_besides(trials_, deep)
+                 : far_off + "works" + (works ? ", such as `" + deep + "`" : "");
     found_.push_back(std::move(d));
     return true;
   }

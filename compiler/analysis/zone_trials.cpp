@@ -143,6 +143,16 @@ std::string with_an_end(Trials& trials, const Fault& fault, const SourceRange& a
   return works ? "works, such as `" + bounded(zone, box) + "`" : "is needed";
 }
 
+std::string needed_besides(const Trials* trials, const std::string& zone) {
+  const bool untried = trials != nullptr && trials->ran_out();
+  if (untried) {
+    return "is needed" + (zone.empty() ? "" : ", such as `" + zone + "`") +
+           ", which there was no time to try";
+  }
+  return "is needed, and not alone: " + (zone.empty() ? "" : "in `" + zone + "` ") +
+         "other errors are left";
+}
+
 std::string written_as(const Trials& trials, const ir::Module& module,
                        const std::vector<ZonePart>& parts) {
   const ZoneExprPtr value = Writer(trials, module, {}).common(parts);

@@ -29,6 +29,8 @@ std::optional<bool> works_within(Trials& trials, const Fault& fault, const Sourc
 std::string with_an_end(Trials& trials, const Fault& fault, const SourceRange& all_of,
                         const ir::Module& module, const ir::Recovery& recovery,
                         const std::vector<ir::SiteTable::Place>& places);
+// What is said of a zone that does not work alone, or that there was no time to try.
+std::string needed_besides(const Trials* trials, const std::string& zone);
 // What works_within tries, as in zone_text.h.
 std::string written_as(const Trials& trials, const ir::Module& module,
                        const std::vector<ZonePart>& parts);
