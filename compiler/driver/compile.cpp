@@ -138,8 +138,13 @@ void compile(const Options& options, std::ostream& out, Compilation& c) {
   const auto finding = options.command == Command::verify ? analysis::Finding::is_told
                        : played                           ? analysis::Finding::is_played
                                                           : analysis::Finding::refuses;
-  auto derived =
-      analysis::derive(*c.spec, c.sources, c.diagnostics, finding, judge, options.offers);
+  diag::Engine said;  // whoever plays a run again mends nothing: what would work is not sought
+  auto derived = analysis::derive(*c.spec, c.sources, played ? said : c.diagnostics, finding, judge,
+                                  options.offers && !played);
+  for (diag::Diagnostic each : said.all()) {
+    each.help = "`rtac check` says what would work";
+    c.diagnostics.report(std::move(each));
+  }
   if (!derived) return;
   const int errors = finding == analysis::Finding::refuses ? 0 : errors_in_building(c.diagnostics);
   c.module = std::move(derived->module);
