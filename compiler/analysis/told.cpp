@@ -121,10 +121,11 @@ class Reader {
   }
   // All of what has been so, or some of it, now included or not; at first there is nothing of it.
   [[nodiscard]] Truth3 past(const sema::Expr& e, bool suits, bool with_now, bool all) const {
-    const Truth3 end = all ? Truth3::yes : Truth3::no;  // what nothing is, too
-    if (Reader(spec_, ever_, ever_, stays_).truth(e, suits) == end) return end;
     const Truth3 now = truth(e, suits);
-    return stays_ || (with_now && now == negated(end)) ? now : Truth3::open;
+    if (stays_) return now;
+    const Truth3 end = all ? Truth3::yes : Truth3::no;  // what nothing is, too
+    if (Reader(spec_, ever_, ever_, false).truth(e, suits) == end) return end;
+    return with_now && now == negated(end) ? now : Truth3::open;
   }
 
   [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
