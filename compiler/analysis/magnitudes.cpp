@@ -54,6 +54,7 @@ class Checker {
     most("the acceleration", k.motion.accel, accel_max_mps2, "m/s^2");
     least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
     most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
+    if (k.motion.brake.value == 0) return refuse_no_brake(k);  // all that is left divides by it
     least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
     const auto disturbance = [](sema::RobotKind& of) { return &*of.motion.disturbance; };
     const auto output = [](sema::RobotKind& of) { return &*of.output_error; };
@@ -81,6 +82,25 @@ class Checker {
     if (k.plan) most("the tracking", k.plan->tracking, length_max_m, "m");
     most("the latency", k.latency, time_max_s, "s");
     if (k.energy) energy(*k.energy);
+  }
+  void refuse_no_brake(const sema::RobotKind& k) {
+    std::optional<Rational> works;
+    if (trials_ != nullptr) {
+      sema::Motion& motion = trials_->spec().kinds[std::size_t(&k - spec_.kinds.data())].motion;
+      // who speeds up and brakes alike is the usual robot
+      works = nearest(motion.brake, "brake" + k.name, k.motion.accel.value,
+                      fault_of(Code::limit_contradictory, k.motion.brake.range));
+    }
+    diagnostics_.report(
+        {Code::limit_contradictory,
+         k.motion.brake.range,
+         "`" + k.name + "` cannot stop: `brake` is 0 m/s^2",
+         "must be more than 0",
+         {},
+         works ? "at least " + to_decimal(*works) + " m/s^2 works"
+               : as_tried(trials_, "give the least deceleration that the robot is sure to reach; no "
+                                   "brake alone mends all of this specification"),
+         {}});
   }
   struct Push {
     std::string what;

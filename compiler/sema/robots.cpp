@@ -110,7 +110,6 @@ class KindChecker {
     kind_.motion.brake = values["brake"].quantity;
     if (values["turn"].good) kind_.motion.turn = values["turn"].quantity;
     if (values["turn_accel"].good) kind_.motion.turn_accel = values["turn_accel"].quantity;
-    if (values["brake"].good && kind_.motion.brake.value == 0) report_no_brake();
     if (values["disturbance"].good) kind_.motion.disturbance = values["disturbance"].quantity;
   }
 
@@ -139,13 +138,6 @@ class KindChecker {
                             "`" + bound.name.text + "` has no effect on `motion " + model + "`")
                         .label(label)
                         .help(help));
-  }
-
-  void report_no_brake() {
-    context_.report(Finding(Code::limit_contradictory, kind_.motion.brake.range,
-                            owner() + " cannot stop: `brake` is 0 m/s^2")
-                        .label("must be more than 0")
-                        .help("give the least deceleration that the robot is sure to reach"));
   }
 
   void clause(const SourceRange& range, const syntax::SenseClause& sense) {

@@ -471,7 +471,6 @@ TEST(Repairs, TheNumbersOf3008And5005Work) {
     const char *clause, *absurd, *works;
   };
   for (const Case& each : std::vector<Case>{
-           {"brake >= 1 m/s^2", "brake >= 0 m/s^2", "brake >= 0.001 m/s^2"},
            {"brake >= 1 m/s^2", "brake >= -1 m/s^2", "brake >= 0.001 m/s^2"},
            {"accel <= 1 m/s^2", "accel <= 0 m/s^2", "accel <= 0.001 m/s^2"},
            {"speed <= 1 m/s", "speed <= 0 m/s", "speed <= 0.3 m/s"},
@@ -491,6 +490,20 @@ TEST(Repairs, TheNumbersOf3008And5005Work) {
         << each.works << "\n"
         << reports(*good);
   }
+}
+
+// Who cannot stop is told with which brake all of the specification works: it does, and with a
+// twentieth less it does not.
+TEST(Repairs, TheBrakeOfWhoCannotStopWorks) {
+  const std::string drone = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+  const auto with = [&](const std::string& brake) {
+    return compiled(edited(drone, "brake >= 1 m/s^2", "brake >= " + brake + " m/s^2"));
+  };
+  const std::string least =
+      number_in_help(*with("0"), Code::limit_contradictory, "at least ", "m/s^2 works");
+  EXPECT_TRUE(with(least)->module) << least;
+  const double less = std::stod(least) * 0.95;
+  EXPECT_FALSE(with(std::to_string(less))->module) << less;
 }
 
 // A latency that the look-ahead does not cover: both numbers work.
