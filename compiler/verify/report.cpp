@@ -45,13 +45,18 @@ void add_conservatism(const Conservatism& c, std::size_t about, std::string& out
   out += c.complete ? "\n" : "; the time was up\n";
 }
 
+std::string milliseconds(std::int64_t micros, const char* format = "%.1f ms") {
+  return decimals(double(micros) / 1000, format);
+}
+
 void add_decision(const Decision& d, std::string& out) {
   std::size_t about = 0;
   for (const Obligation& o : d.obligations) about = std::max(about, whom(o).size());
   out += "decision " + d.name + " for " + d.kind + "\n";
   for (const Obligation& o : d.obligations) {
     out += "  " + padded(name(o.kind), 13) + padded(whom(o), about + 2) +
-           padded(name(o.status), 14) + o.method + ": " + o.because + "\n";
+           padded(name(o.status), 14) + milliseconds(o.micros, "%8.1f ms  ") + o.method + ": " +
+           o.because + "\n";
     if (!o.repair.empty()) out += "  " + padded("", 13) + "what works: " + o.repair + "\n";
     if (!o.trace.empty()) out += "  " + padded("", 13) + "shown by " + o.trace + "\n";
     if (!o.not_recorded.empty()) {
@@ -60,10 +65,6 @@ void add_decision(const Decision& d, std::string& out) {
     if (!o.not_shown.empty()) out += "  " + padded("", 13) + "not shown: " + o.not_shown + "\n";
   }
   for (const Conservatism& c : d.conservatism) add_conservatism(c, about + 2, out);
-}
-
-std::string milliseconds(std::int64_t micros) {
-  return std::to_string(micros / 1000) + "." + std::to_string(micros / 100 % 10) + " ms";
 }
 
 nlohmann::ordered_json json_of(const Conservatism& c) {
