@@ -232,13 +232,31 @@ std::string report_contract(const DecisionFacts& f) {
          which + ";\nassert \\valid_read(checks + k);\n";
 }
 
-// What the table says of who drives, and of the monitor of that number: in terms of the state and
-// of what was found, before `out` is written.
-std::string drives_on_for(const DecisionFacts& f, std::size_t k) {
-  const std::string at = number(k);
-  return "s->monitors[" + at + "].engaged != 0 ==> 1 <= s->mode <= " + number(k + 1) +
-         " || (1 <= s->mode == before && $D_keeps[(s->mode - 1) * " + number(f.monitors.size()) +
-         " + " + at + "] == 1 && verdict(checks[" + at + "].now) != VERDICT_FALSE)";
+// Lines of a contract that are there where a table says what drives on.
+std::string only_driven_on(std::string text) {
+  constexpr const char* mark = "/*? drives_on */ ";
+  for (std::size_t at = 0; at != std::string::npos; at = text.find('\n', at)) {
+    at += at == 0 ? 0 : 1;
+    text.insert(at, mark);
+  }
+  return text + "\n";
+}
+// Names for what a contract says of a monitor and of who drives, at one place of the step.
+struct Places {
+  std::string engaged, now, mode, before;
+};
+// While a monitor is engaged, a recovery drives; that of one that ranks lower only if it has driven
+// before and the table says that it is shown to keep it, and it is not false. Row by row, since
+// provers find no index of a table in what they know of all of it.
+Clauses driven_while_engaged(const DecisionFacts& f, std::size_t k, const Places& at) {
+  Clauses out{at.engaged + " != 0 ==> 1 <= " + at.mode};
+  for (std::size_t row = k + 1; row < f.monitors.size(); ++row) {
+    out.push_back(at.engaged + " != 0 && " + at.mode + " == " + number(row + 1) + " ==>\n  " +
+                  at.before + " == " + number(row + 1) + " && $D_keeps[" +
+                  number(row * f.monitors.size() + k) + "] == 1 && " + at.now +
+                  " != VERDICT_FALSE");
+  }
+  return out;
 }
 
 std::string step_contract(const DecisionFacts& f) {
@@ -256,14 +274,13 @@ std::string step_contract(const DecisionFacts& f) {
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
     const std::string at = "out->monitors[" + number(k) + "]", far = number(horizon_of(f, k));
     const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
-    const std::string ranks = ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1);
-    out += "/*? !drives_on */ ensures priority: " + at + ranks + ";\n";
+    out += "/*? !drives_on */ ensures priority: " + at + ".engaged != 0 ==> 1 <= out->mode <= " +
+           number(k + 1) + ";\n";
     // what the arbitration proves of pairs stands in the table
-    out += "/*? drives_on */ ensures priority: " + at + ranks +
-           " ||\n/*? drives_on */   (1 <= out->mode == out->previous_mode && $D_keeps[(out->mode - "
-           "1) * " +
-           number(f.monitors.size()) + " + " + number(k) + "] == 1 && " + at +
-           ".now != VERDICT_FALSE);\n";
+    for (const std::string& each : driven_while_engaged(
+             f, k, {at + ".engaged", at + ".now", "out->mode", "out->previous_mode"})) {
+      out += only_driven_on("ensures priority: " + each + ";");
+    }
     // The first step asks the longer look-ahead alone, which leaves no room for a violation.
     out += "ensures advanced: out->mode == 0 ==> " + at +
            ".engaged == 0 &&\n  (\\old(s->clock.started) != 0 ==> " + at +
@@ -275,7 +292,12 @@ std::string step_contract(const DecisionFacts& f) {
   }
   std::string ranked;
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
-    ranked += "/*? drives_on */ assert " + drives_on_for(f, k) + ";\n";
+    const std::string check = "checks[" + number(k) + "]", now = "verdict(" + check + ".now)";
+    ranked += only_driven_on("assert now_of(&" + check + ") == " + now + ";");
+    for (const std::string& each : driven_while_engaged(
+             f, k, {"s->monitors[" + number(k) + "].engaged", now, "s->mode", "before"})) {
+      ranked += only_driven_on("assert " + each + ";");
+    }
   }
   // What is claimed of a plan is led past each write by saying that it is the same one.
   const Clauses kept = plan_kept(f, "in->plan");
