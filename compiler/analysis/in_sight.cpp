@@ -31,21 +31,11 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
   return goals;
 }
 
-namespace {
-
-// With which clearance a robot may be seen where its body has what it keeps.
-std::int64_t seen_least_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
-  const ir::Body& body = decision.body;
-  return body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
-}
-
-}  // namespace
-
 std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
                                        const ir::Cells& cells, const ir::Decision& decision,
-                                       const ir::Recovery& recovery) {
+                                       const ir::Recovery& recovery, std::int64_t kept_mm) {
   const ir::Body& body = decision.body;
-  const std::int64_t least_mm = seen_least_mm(decision, recovery);
+  const std::int64_t least_mm = body.radius_mm + kept_mm - body.position_error_mm;
   if (!ir::goes_back(recovery.kind) || least_mm >= body.radius_mm) return std::nullopt;
   // a way ends short of where it aims, by a measurement, and what legs keep has room for that
   const std::int64_t fits_mm = body.radius_mm + body.end_reach_mm + body.position_error_mm;
@@ -54,7 +44,8 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
   geometry::StraightLegs legs(edges, grid, in_mm(std::max<std::int64_t>(least_mm, 0)),
                               in_mm(goal_mm));
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
-    if (cells.clearance_mm_lo[at] < goal_mm && !legs.longest_from(at)) return at;
+    if (cells.clearance_mm_lo[at] >= goal_mm || !legs.holds_some(at)) continue;
+    if (!legs.longest_from(at)) return at;
   }
   return std::nullopt;
 }
@@ -63,8 +54,10 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
 // from the boundary, or in sight.
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                             const ir::Decision& decision, const ir::Recovery& recovery) {
-  const std::int64_t least_mm = seen_least_mm(decision, recovery);
-  if (least_mm >= decision.body.radius_mm) return LedIn{};
+  const ir::Body& body = decision.body;
+  const std::int64_t least_mm =
+      body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
+  if (least_mm >= body.radius_mm) return LedIn{};
   if (least_mm <= 0) return std::nullopt;
   const geometry::CellGrid grid = grid_of(cells);
   const std::int32_t least = in_mm(least_mm);
@@ -74,7 +67,7 @@ std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const i
   LedIn in{route_mm, goals_mm(decision, recovery).back()};
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells.clearance_mm_lo[at];
-    if (clearance < 0 || clearance >= decision.body.radius_mm) continue;
+    if (clearance < 0 || clearance >= body.radius_mm) continue;
     const auto leg = near.longest_from(at);
     in.first_mm = std::max(in.first_mm, whole_mm(leg ? *leg : near.farthest_from(at)));
     in.all_mm = std::max(in.all_mm, whole_mm(far.farthest_from(at)));

@@ -23,6 +23,10 @@ class StraightLegs {
   // none is known, or it may be longer than `most_mm`.
   [[nodiscard]] std::optional<double> longest_from(
       std::size_t cell, double most_mm = std::numeric_limits<double>::infinity());
+  // Whether some of the cell may lie in the zone; of what does not there is nothing to ask.
+  [[nodiscard]] bool holds_some(std::size_t cell) const {
+    return cells_.clearance_mm_lo[cell] >= 0 || beside_[cell];
+  }
   // Whether the last one has not been looked for, since those before it took too long.
   [[nodiscard]] bool gave_up() const { return gave_up_; }
   // In mm, to the farthest one that may be tried from anywhere in the cell; 0: there is none.

@@ -292,7 +292,9 @@ std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geomet
   const double goal = fits_m.get_d();
   Straight straight(found->edges, found->cells, seen_m.get_d(), found->convex);
   for (std::size_t at = 0; at < found->cells.clearance.size(); ++at) {
-    if (is_clear(found->cells.clearance[at], goal) || straight.longest_from(at, goal)) continue;
+    const double clearance = found->cells.clearance[at];
+    if (is_clear(clearance, goal) || (clearance < 0 && !straight.holds_some(at))) continue;
+    if (straight.longest_from(at, goal)) continue;
     return middle_of(found->cells, at);
   }
   return std::monostate{};

@@ -9,6 +9,7 @@
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/sight.h"
 #include "compiler/ir/linear.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/room_for_all.h"
@@ -32,11 +33,29 @@ struct Band {
   std::int64_t most_mm = std::numeric_limits<std::int32_t>::max();
   std::int64_t gap_mm = 0;
   bool asked = false;
+  bool beside_others = false;  // some heights are one side of what another side may do for
 };
+bool speaks_of_height(const sema::Expr& e) {
+  bool found = false;
+  sema::for_each_expr(e, [&](const sema::Expr& each) {
+    const auto* signal = std::get_if<sema::SignalRef>(&each.node);
+    found = found || (signal != nullptr && signal->signal == sema::Signal::altitude);
+  });
+  return found;
+}
+bool has_height_beside_others(const sema::Expr& e) {
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr) return false;
+  if (logic->op != sema::LogicOp::logical_and) return speaks_of_height(e);
+  return std::ranges::any_of(logic->operands,
+                             [](const auto& each) { return has_height_beside_others(*each); });
+}
 Band band_of(const Subject& s) {
   Band band;
-  for (const ir::Monitor& m : s.decision.monitors) {
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const ir::Monitor& m = s.decision.monitors[k];
     if (!m.lookahead.duration) continue;
+    band.beside_others = band.beside_others || has_height_beside_others(*s.monitor(k).always);
     const std::int64_t gap = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
     ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
       const auto most = ir::upper_bound(block, c);
@@ -108,10 +127,11 @@ class Together {
       }
       return all_at_once(s_, joint_.zones, floor_at(spot->z_mm), std::move(o));
     }
-    o.status =
-        common(3, true).empty() || common(3, false).empty() ? Status::refuted : Status::unknown;
+    const bool none = common(3, true).empty() || common(3, false).empty();
+    o.status = none && !band_.beside_others ? Status::refuted : Status::unknown;
     if (o.status == Status::unknown) {
       o.because = "a place where all monitors give control back was not found";
+      if (band_.beside_others) o.because += " at heights that suit each side of what they say";
       return o;
     }
     o.because = "no place is so clear of the boundaries that all monitors give control back there";

@@ -188,10 +188,16 @@ std::string cut_short(const Subject& s, const ir::Recovery& last) {
 }
 
 // Near the boundary a robot may be seen not to fit, and is led straight then. "": from everywhere.
-std::string led_nowhere(const Subject& s, const ir::Recovery& last) {
+std::string led_nowhere(const Subject& s, std::size_t k, const ir::Recovery& last) {
   const ir::ZoneTable& zone = s.module[last.zone];
+  std::int64_t kept_mm = 0;
+  const ir::Block& property = s.decision.monitors[k].property;
+  for (const auto& either : analysis::surely_in(property, s.decision.facts.params)) {
+    const bool here = either.size() == 1 && either[0].zone == last.zone;
+    if (here) kept_mm = std::max(kept_mm, either[0].mm);
+  }
   const ir::Cells& cells = zone.cells;
-  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last);
+  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last, kept_mm);
   if (!at) return "";
   const auto columns = static_cast<std::size_t>(cells.columns);
   const auto middle = [&](std::int64_t origin, std::size_t n) {
@@ -229,13 +235,13 @@ struct Doubt {
   std::string why;
   const char* repair = "";
 };
-Doubt doubt_of_ways(const Subject& s, const ir::Recovery& last) {
+Doubt doubt_of_ways(const Subject& s, std::size_t k, const ir::Recovery& last) {
   if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
   if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
   if (std::string cut = cut_short(s, last); !cut.empty()) {
     return {std::move(cut), "fewer vertices work, or less clearance that is asked for"};
   }
-  if (std::string outside = led_nowhere(s, last); !outside.empty()) {
+  if (std::string outside = led_nowhere(s, k, last); !outside.empty()) {
     return {std::move(outside), "a wider passage works, or less of an error"};
   }
   return {on_the_rim(s, last)};
@@ -280,7 +286,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     }
     return o;
   }
-  if (Doubt doubt = doubt_of_ways(s, last); !doubt.why.empty()) {
+  if (Doubt doubt = doubt_of_ways(s, k, last); !doubt.why.empty()) {
     o.status = Status::unknown;
     o.because = std::move(doubt.why);
     o.repair = doubt.repair;
