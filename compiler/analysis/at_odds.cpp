@@ -24,7 +24,7 @@ void add(const ir::Block& block, ir::ValueId margin, const std::vector<ir::Param
   }
   if (const auto* held = std::get_if<ir::HeldFor>(&op)) return add(block, held->a, params, to);
   const auto* compare = std::get_if<ir::AtLeast>(&op);
-  if (compare == nullptr) return;
+  if (compare == nullptr || !ir::has_form(block, *compare)) return;
   const auto low = ir::lower_bound(block, *compare, params);
   if (low && low->need.laxest > to[low->leaf].least) {
     to[low->leaf].least = low->need.laxest;

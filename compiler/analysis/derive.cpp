@@ -538,7 +538,7 @@ class Deriver {
         const std::int64_t own_mm =
             knows ? standoff_in(d, d.monitors[k], r.zone, lies_) : wanted.fence_mm;
         r.return_clearance_mm =
-            std::max(back_mm + own_mm, asked_clearance_mm(out_.module, d, k, r.zone, lies_));
+            std::max(back_mm + own_mm, asked_clearance(out_.module, d, k, r.zone, lies_).mm);
         r.route_clearance_mm = cruise_mm + own_mm;
         r.pass_gap_mm = pass_gap_mm(d, longest_us, wanted.separation_mm);
       };

@@ -62,6 +62,30 @@ std::optional<std::int64_t> price_at(const ir::Module& module, ir::SiteIndex sit
   return most;
 }
 
+// A part of a condition; of a condition that looks back, of what it asks of some time.
+struct Part {
+  const ir::Block* block;
+  ir::ValueId id;
+  bool may_be_over = false;  // it has held earlier, and need not hold where control returns
+};
+// Of `historically`, `once`, `previously` and `for` what they speak of, which is as hopeless as
+// they are; nullopt: the value is none of them.
+std::optional<Part> looked_back_at(const ir::Decision& decision, const Part& part) {
+  const ir::Op& op = (*part.block)[part.id].op;
+  if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
+    return Part{part.block, v->a, part.may_be_over};
+  }
+  if (const auto* v = std::get_if<ir::Historically>(&op)) {
+    return Part{part.block, v->a, part.may_be_over || v->window.from > 0};
+  }
+  if (const auto* v = std::get_if<ir::Once>(&op)) return Part{part.block, v->a, true};
+  if (const auto* v = std::get_if<ir::Previously>(&op)) return Part{part.block, v->a, true};
+  const auto* fact = std::get_if<ir::Fact>(&op);
+  if (fact == nullptr || !fact->of_robot) return std::nullopt;
+  const ir::Block& judged = decision.facts.monitors[fact->index].property;
+  return Part{&judged, judged.result, part.may_be_over};
+}
+
 // That a value is the constant false: said so, of two numbers that are written, or that there is
 // another robot where there is none.
 bool is_never(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
@@ -122,25 +146,28 @@ class Judge {
   }
 
   // The condition as written.
-  Finding condition(const ir::Block& block, ir::ValueId id) const {
+  Finding condition(const Part& part) const {
+    const ir::Block& block = *part.block;
+    const ir::ValueId id = part.id;
     const ir::Op& op = block[id].op;
+    const auto side = [&](ir::ValueId of) { return condition({&block, of, part.may_be_over}); };
     if (const auto* v = std::get_if<ir::And>(&op)) {
-      Finding a = condition(block, v->a);
-      if (!a) a = condition(block, v->b);
-      return a ? a : excluded(block, id);
+      Finding a = side(v->a);
+      if (!a) a = side(v->b);
+      return a || part.may_be_over ? a : excluded(block, id);
     }
     if (const auto* v = std::get_if<ir::Or>(&op)) {
-      Finding a = condition(block, v->a);
-      return a && condition(block, v->b) ? a : std::nullopt;
+      Finding a = side(v->a);
+      return a && side(v->b) ? a : std::nullopt;
     }
     if (is_never(decision_, block, id)) return never(block, id);
-    if (const auto* v = std::get_if<ir::HeldFor>(&op)) return condition(block, v->a);
+    if (const auto of = looked_back_at(decision_, part)) return condition(*of);
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
       if (decision_.robots < 2) return std::nullopt;  // there is no other, and all hold
-      return condition(*v->body, v->body->result);
+      return condition({v->body.get(), v->body->result, part.may_be_over});
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
-    if (!compare) return std::nullopt;
+    if (!compare || !ir::has_form(block, *compare)) return std::nullopt;
     const SourceRange& source = block[id].source;
     if (const auto bound = bound_of(block, *compare)) {
       const std::int64_t strict = compare->strict ? 1 : 0;
@@ -157,7 +184,7 @@ class Judge {
     }
     const auto most = ir::upper_bound(block, *compare);
     if (most && most->leaf.kind == Leaf::Kind::speed) return slow(most->most, source);
-    if (most && most->leaf.kind == Leaf::Kind::clearance) {
+    if (most && most->leaf.kind == Leaf::Kind::clearance && !part.may_be_over) {
       return too_near(ir::ZoneIndex(most->leaf.table), most->most, source);
     }
     const auto way = way_of(block, *compare);
@@ -227,20 +254,25 @@ class Judge {
                   " beyond the look-ahead" + way + ", `held` and `detour`", block[id].source);
   }
 
-  // Of the comparisons that all have to hold, the largest clearance that can be had.
-  std::int64_t asked(const ir::Block& block, ir::ValueId id, ir::ZoneIndex place,
-                     const HowItLies& lies) const {
-    const ir::Op& op = block[id].op;
+  // Of the comparisons that all have to hold, the one with the largest clearance that can be had.
+  AskedClearance asked(const Part& part, ir::ZoneIndex place, const HowItLies& lies) const {
+    const ir::Block& block = *part.block;
+    const ir::Op& op = block[part.id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) {
-      return std::max(asked(block, v->a, place, lies), asked(block, v->b, place, lies));
+      const AskedClearance a = asked({&block, v->a}, place, lies);
+      const AskedClearance b = asked({&block, v->b}, place, lies);
+      return a.mm < b.mm ? b : a;
     }
-    if (const auto* v = std::get_if<ir::HeldFor>(&op)) return asked(block, v->a, place, lies);
+    if (const auto of = looked_back_at(decision_, part)) return asked(*of, place, lies);
     const auto* compare = std::get_if<ir::AtLeast>(&op);
-    const auto bound = compare ? bound_of(block, *compare) : std::nullopt;
-    if (!bound || bound->leaf.kind != Leaf::Kind::clearance) return 0;
+    if (!compare || !ir::has_form(block, *compare)) return {};
+    const auto bound = bound_of(block, *compare);
+    if (!bound || bound->leaf.kind != Leaf::Kind::clearance) return {};
     const std::int64_t need = shown_clearance_mm(decision_, motion_, bound->need.strictest);
     const ir::ZoneIndex zone{bound->leaf.table};
-    return need <= module_[zone].widest_mm ? need - depth_mm(place, {zone, need}, lies) : 0;
+    if (need > module_[zone].widest_mm) return {};
+    return {std::max<std::int64_t>(need - depth_mm(place, {zone, need}, lies), 0),
+            block[part.id].source};
   }
 
  private:
@@ -580,10 +612,11 @@ class Judge {
 
 }  // namespace
 
-std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& decision,
-                                std::size_t k, ir::ZoneIndex zone, const HowItLies& lies) {
+AskedClearance asked_clearance(const ir::Module& module, const ir::Decision& decision,
+                               std::size_t k, ir::ZoneIndex zone, const HowItLies& lies) {
   const auto& when = decision.monitors[k].return_when;
-  return when ? Judge(module, decision, k).asked(*when, when->result, zone, lies) : 0;
+  if (!when) return {};
+  return Judge(module, decision, k).asked({&*when, when->result}, zone, lies);
 }
 
 bool never_holds(const ir::Decision& decision, const ir::Block& property) {
@@ -596,7 +629,7 @@ std::optional<diag::Diagnostic> hopeless_return(const Decided& of, std::size_t k
   const ir::Monitor& monitor = of.decision.monitors[k];
   const sema::Monitor& written = of.spec[of.written.priority[k]];
   if (const auto& when = monitor.return_when) {
-    if (Finding found = judge.condition(*when, when->result)) return found;
+    if (Finding found = judge.condition({&*when, when->result})) return found;
     if (Finding found = judge.never_told(*written.return_when)) return found;
   }
   Finding found = judge.property(monitor.property, monitor.property.result);

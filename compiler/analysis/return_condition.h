@@ -12,11 +12,15 @@
 
 namespace rtac::analysis {
 
+struct AskedClearance {
+  std::int64_t mm = 0;  // 0: none
+  SourceRange source{};  // of the comparison
+};
 // Clearance of the centre in `zone`, in mm, at which the return condition of monitor `k` holds for
 // a robot at rest; 0 when it asks for none, or for more than a zone has anywhere. Of another zone
 // that `zone` lies deep in it is as much less.
-std::int64_t asked_clearance_mm(const ir::Module& module, const ir::Decision& decision,
-                                std::size_t k, ir::ZoneIndex zone, const HowItLies& lies);
+AskedClearance asked_clearance(const ir::Module& module, const ir::Decision& decision,
+                               std::size_t k, ir::ZoneIndex zone, const HowItLies& lies);
 
 // 5007, with the largest value that works: the condition of monitor `k` holds nowhere, or at no
 // charge; nullopt: it may hold. Needs the costs of the sites.

@@ -225,17 +225,16 @@ class ReturnSet {
 
   // The return condition of the monitor itself asks for more, in another zone than it retreats in.
   diag::Diagnostic asked(const ir::Monitor& m, std::size_t k) const {
-    const ir::Block& when = *m.return_when;
     const ir::ZoneIndex place = *place_of(module_, decision_, m);
-    const std::int64_t asked_mm = asked_clearance_mm(module_, decision_, k, place, of_.lies);
+    const AskedClearance asked = asked_clearance(module_, decision_, k, place, of_.lies);
     // in another zone, in which it lies deep, that is as much more
     const HowItLies beside = [](ir::ZoneIndex, const Standoff&) { return Lies::elsewhere; };
     const std::int64_t deeper_mm =
-        asked_clearance_mm(module_, decision_, k, place, beside) - asked_mm;
+        asked_clearance(module_, decision_, k, place, beside).mm - asked.mm;
     const std::int64_t least =
         room_mm(m) + deeper_mm - shown_clearance_mm(decision_, decision_.motions[k + 1], 0);
-    diag::Diagnostic d = finding(m, asked_mm);
-    d.range = when[when.result].source;
+    diag::Diagnostic d = finding(m, asked.mm);
+    d.range = asked.source;
     d.notes = {note(m)};
     const auto works = clearance_that_works(m, d.range, least);
     d.help = works ? "a clearance of " + metres(*works) + " works"

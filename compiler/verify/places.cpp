@@ -105,7 +105,7 @@ std::vector<Need> needs_of(const Subject& s) {
     for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {
       const std::int64_t mm =
           std::max(back_mm + analysis::fence_standoff_mm(m.property, params, zone),
-                   analysis::asked_clearance_mm(s.module, s.decision, k, zone, how_it_lies(s)));
+                   analysis::asked_clearance(s.module, s.decision, k, zone, how_it_lies(s)).mm);
       const auto known =
           std::find_if(all.begin(), all.end(), [&](const Need& need) { return need.zone == zone; });
       if (known == all.end()) {

@@ -46,6 +46,62 @@ TEST(ReturnCondition, AClearanceThatTheZoneDoesNotHaveIsRefusedWithTheLargestOne
   EXPECT_TRUE(is_refused(fence_returns("clearance(r, floor) > " + most + " m")));
 }
 
+// So is one that has to have held: for a while, once, or a tick ago.
+TEST(ReturnCondition, WhatNeverHoldsHasNeverHeldEither) {
+  const std::vector<std::string> looks = {"historically[0 s, 1 s] ", "once[0 s, 1 s] ",
+                                          "previously "};
+  for (const std::string& look : looks) {
+    const auto back = [&](const std::string& asked) {
+      return fence_returns("(" + look + "clearance(r, floor) >= " + asked + " m)");
+    };
+    const auto c = compiled(back("6"));
+    ASSERT_TRUE(has(*c, Code::return_set_empty)) << look << reports(*c);
+    const std::string most =
+        number_in_help(*c, Code::return_set_empty, "a clearance of ", "m works");
+    EXPECT_FALSE(is_refused(back(most))) << look << most;
+    EXPECT_TRUE(is_refused(back(std::to_string(std::stod(most) + 0.002)))) << look << most;
+    EXPECT_TRUE(is_refused(fence_returns("(" + look + "r.speed <= 1 mm/s)"))) << look;
+  }
+  // once it has been near, or slow and fast
+  for (const char* const may :
+       {"once[1 s, 2 s] clearance(r, floor) <= 10 cm",
+        "once[0 s, 9 s] r.speed >= 0.4 m/s and once[0 s, 9 s] r.speed <= 0.2 m/s"}) {
+    EXPECT_FALSE(is_refused(fence_returns(may))) << may;
+  }
+  // what a window makes one number of is not looked into
+  EXPECT_FALSE(is_refused(fence_returns("mean[0 s, 1 s](clearance(r, floor)) >= 30 cm")));
+}
+
+// A recovery leads as deep as the condition asks for, whichever way it is asked to last.
+TEST(ReturnCondition, WhatHasToHaveLastedIsLedToLikeWhatLasts) {
+  const auto deep_mm = [](const std::string& condition) {
+    const auto c = compiled(fence_returns(condition));
+    EXPECT_TRUE(c->module) << condition << reports(*c);
+    if (!c->module) return std::int64_t{0};
+    const auto& monitors = c->module->decisions[0].monitors;
+    const auto fence = std::ranges::find(monitors, "fence", &ir::Monitor::name);
+    return fence == monitors.end() ? 0 : fence->recovery.return_clearance_mm;
+  };
+  const std::int64_t lasts_mm = deep_mm("clearance(r, floor) >= 2 m for 1 s");
+  EXPECT_GT(lasts_mm, deep_mm("clearance(r, floor) >= 30 cm for 1 s"));
+  EXPECT_EQ(deep_mm("historically[0 s, 1 s] clearance(r, floor) >= 2 m"), lasts_mm);
+}
+
+// A little more than there is: the number is that of the comparison, in whatever stands around it.
+TEST(ReturnCondition, TheLargestClearanceIsToldOfAConditionThatHasToLast) {
+  const auto plain = compiled(fence_returns("clearance(r, floor) >= 6 m"));
+  const std::string most =
+      number_in_help(*plain, Code::return_set_empty, "a clearance of ", "m works");
+  const std::string more = std::to_string(std::lround(1000 * std::stod(most)) + 9) + " mm";
+  for (const std::string condition :
+       {"clearance(r, floor) >= " + more + " for 1 s",
+        "r.speed <= 1 m/s and clearance(r, floor) >= " + more + " for 1 s"}) {
+    const auto c = compiled(fence_returns(condition));
+    EXPECT_EQ(number_in_help(*c, Code::return_set_empty, "a clearance of ", "m works"), most)
+        << condition << reports(*c);
+  }
+}
+
 // Where the look-ahead lets control go back the condition is false: of a limit from above, and of a
 // property that is asked to fail.
 TEST(ReturnCondition, NothingIsGivenBackNearerThanTheLookAheadAllows) {

@@ -100,5 +100,40 @@ TEST_F(CommonPlace, ANarrowOneIsFoundAgain) {
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// A height that is asked for unless inputs say something else keeps nobody from being given back
+// higher up: no joint return is refuted by it.
+TEST_F(CommonPlace, AHeightBesideAnotherSideRefutesNothing) {
+  const auto quad = [](const std::string& low) {
+    return R"(spec roof;
+zone plot     = rectangle (0 m, 0 m) to (50 m, 40 m);
+zone building = rectangle (15 m, 10 m) to (35 m, 30 m);
+zone air      = prism (plot - building) from 0 m to 40 m | prism (plot) from 25 m to 40 m;
+input wind : speed in 0 .. 30 m/s error 0.5 m/s max_age 2 s;
+robot Quad {
+  body    radius 50 cm;
+  motion  point { speed <= 3 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; disturbance <= 0.5 m/s^2; }
+  sense   position : point3  error 10 cm   max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s  max_age 50 ms;
+  output  thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller wash : advanced for Quad extern;
+controller down : safe for Quad = land to 2 m speed 0.6 m/s;
+controller back : safe for Quad = retreat within air speed 0.6 m/s;
+monitor calm  for r : Quad { "R1: low in wind" always )" +
+           low + R"(; recover down; hold when violated "it comes down"; }
+monitor shell for r : Quad { "R2: in the air space" always clearance(r, air) >= 50 cm; recover back; }
+decision fly for Quad { advanced wash; period 50 ms; priority calm > shell; acknowledge down may break shell "a test"; }
+)";
+  };
+  const auto joint = [&](const std::string& low) {
+    const Outcome o = verified(quad(low), {"--format", "json"});
+    return statuses(o.out, "joint return", "");
+  };
+  EXPECT_EQ(joint("r.position.z <= 4 m"), Statuses{"refuted"});
+  EXPECT_EQ(joint("wind <= 9 m/s or r.position.z <= 4 m"), Statuses{"unknown"});
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -305,5 +305,40 @@ decision step for Bot { advanced drive; period 20 ms; priority fence; }
   EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
 }
 
+// A lane with an angle leaves most of the box around it empty, where nobody has to be led in from;
+// and a monitor that asks for no clearance of its own is led in from as near as it lets robots be.
+TEST_F(Joining, AnAngledLaneIsLedIntoFromWhereRobotsCanBe) {
+  const auto lane = [](const std::string& asked) {
+    return R"(spec bend;
+zone lane = rectangle (0 m, 0 m) to (30 m, 4 m) | rectangle (26 m, 0 m) to (30 m, 22 m);
+robot Tugger {
+  body     radius 60 cm;
+  motion   unicycle { speed <= 1.5 m/s; turn <= 1 rad/s; accel <= 0.6 m/s^2; brake >= 1.2 m/s^2; turn_accel <= 3 rad/s^2; }
+  sense    position : point   error 4 cm    max_age 100 ms;
+  sense    heading  : angle   error 1 deg   max_age 100 ms;
+  sense    velocity : vector  error 3 cm/s  max_age 100 ms;
+  output   drive    : twist;
+  latency  50 ms;
+}
+fleet tug : Tugger;
+controller nav  : advanced for Tugger extern;
+controller back : safe for Tugger = retreat within lane speed 0.4 m/s;
+monitor walls for t : Tugger { "R1: in the lane" always )" +
+           asked + R"(; recover back; }
+monitor slow  for t : Tugger { "R2: slow" always t.speed <= 0.8 m/s; recover back; }
+decision go for Tugger { advanced nav; period 50 ms; priority walls > slow; }
+)";
+  };
+  for (const std::string asked : {"t inside lane", "clearance(t, lane) >= 20 cm"}) {
+    const Outcome o = verified(lane(asked), {"--format", "json", "-o", "proofs"});
+    EXPECT_EQ(statuses(o.out, "P2b", "walls"), Statuses{"proved"}) << asked << o.out;
+    EXPECT_EQ(statuses(o.out, "P2b", "slow"), Statuses{"proved"}) << asked << o.out;
+    const Outcome again = rtac({"verify", "--recheck", "proofs"});
+    EXPECT_EQ(again.out.find("not proved"), again.out.find("not proved, 0 unknown"))
+        << asked << again.out;
+    fs::remove_all("proofs");
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
