@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "compiler/analysis/arbitration.h"
+#include "compiler/analysis/dials.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/ir/acknowledged.h"
+#include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -131,6 +134,7 @@ class Report {
     const bool all = std::ranges::all_of(breach.monitors,
                                          [&](std::size_t j) { return row[j].help == first.help; });
     if (all && (!first.change || works(*first.change, found, at))) offer(first.help);
+    offer(slower(breach, found[at]));
     offer(elsewhere(breach, found[at]));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
@@ -139,6 +143,33 @@ class Report {
                   " \"why\";`";
     }
     offer(accepted);
+  }
+  // The greatest speed at which it breaks none of them, where inputs may ask for less than it has.
+  [[nodiscard]] std::string slower(const Breach& breach, const diag::Diagnostic& of) const {
+    const std::vector<Entry>& row = all_[breach.recovery];
+    const auto told = [&](std::size_t j) { return row[j].while_told; };
+    if (trials_ == nullptr || !std::ranges::all_of(breach.monitors, told)) return "";
+    const ir::Recovery& last = ir::last_step(decision_.monitors[breach.recovery].recovery);
+    std::int64_t guess_mmps = last.speed_mmps;
+    for (const std::size_t j : breach.monitors) {
+      ir::for_each_comparison(
+          decision_.monitors[j].property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+            const auto most = ir::upper_bound(block, compare);
+            if (!most || most->leaf.kind != ir::Leaf::Kind::speed) return;
+            const std::int64_t above_mmps =
+                fastest_mmps(decision_.body, decision_.pushed_mmps, decision_.period_us,
+                             most->most) -
+                most->most;
+            guess_mmps = std::min(guess_mmps, most->most - above_mmps);
+          });
+    }
+    if (guess_mmps < 1 || guess_mmps >= last.speed_mmps) return "";
+    const auto works = recovery_speed_that_works(
+        *trials_, {fault_of(of.code, of.range), 1000, last.speed_mmps, guess_mmps, 1},
+        decision_.monitors[breach.recovery].recovery.name);
+    if (!works) return "";
+    return "a recovery of at most " + to_decimal(Rational(static_cast<long>(*works), 1000)) +
+           " m/s works";
   }
   // The first zone for the recovery with which it breaks none of them.
   [[nodiscard]] std::string elsewhere(const Breach& breach, const diag::Diagnostic& of) const {

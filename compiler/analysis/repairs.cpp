@@ -62,6 +62,8 @@ std::vector<Number> numbers() {
       {"an `error` of the velocity", "m/s", 1000, 1, 1, false, sensed(&Kind::velocity, false)},
       {"an `error` of the heading", "rad", 1000, 1, 1, false, sensed(&Kind::heading, false)},
       {"a `brake`", "m/s^2", 1000, 1, 1, true, motion(&sema::Motion::brake)},
+      // a sampled brake that is very strong takes a long way to turn into a hold
+      {"a `brake`", "m/s^2", 1000, 1, 1000, false, motion(&sema::Motion::brake)},
       {"an `accel`", "m/s^2", 1000, 1, 1, false, motion(&sema::Motion::accel)},
       {"a `speed` of the robot", "m/s", 1000, 1, 1, false, motion(&sema::Motion::speed)},
       {"a `turn`", "rad/s", 1000, 1, 1, false,

@@ -524,7 +524,12 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     Obligation ways = legs                           ? legs_back(s, k)
                       : asks_of_heights(s, k, atoms) ? keeps_its_height(s, k, std::move(o))
                                                      : ways_back(s, k, std::move(o));
-    if (ways.status != Status::proved) return ways;
+    if (ways.status != Status::proved) {
+      // wherever ways lead, some of them may end where nothing more happens
+      Obligation rest = returned_at_rest(s, k, ways);
+      const bool ends = rest.status == Status::refuted && rest.method == by_geometry;
+      return ends && !rest.by_a_run ? rest : ways;
+    }
     if (s.decision.robots > 1 || s.decision.open_fleet) {
       ways.because += ", as soon as no other robot stands in its way";
     }

@@ -6,6 +6,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/straight_in.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -144,7 +145,10 @@ class Rest {
     // of its position have it seen
     const ir::Body& body = s_.decision.body;
     const std::int64_t off_mm = 2 * body.position_error_mm + 10 + round_mm;
-    const auto sure = analysis::between(own, zones, s_.exact, mm + off_mm, mm - off_mm);
+    const std::int64_t ends_mm = ir::goes_back(last_.kind)
+                                     ? std::max(mm, analysis::aims_at_mm(s_.decision, last_))
+                                     : mm;
+    const auto sure = analysis::between(own, zones, s_.exact, ends_mm + off_mm, mm - off_mm);
     for (const ir::ZoneIndex zone : zones) {
       if (!sure || stuck_) break;
       const auto fits = analysis::within(s_.exact(zone), body.radius_mm + off_mm);
@@ -214,15 +218,18 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
     o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
     return o;
   }
-  if (rest.stuck() && last.kind == ir::RecoveryKind::retreat) {
+  if (rest.stuck() && ir::goes_back(last.kind)) {
+    const bool stands = last.kind == ir::RecoveryKind::retreat;
     o.status = Status::refuted;
     o.method = by_geometry;
+    o.by_a_run = !stands;  // who circles may come off it
     o.place_mm = {floor_to_int(Rational(rest.stuck()->x * 1000)),
                   floor_to_int(Rational(rest.stuck()->y * 1000))};
-    o.because = "at rest at (" + metres(o.place_mm->first) + ", " + metres(o.place_mm->second) +
-                ") a robot is so clear of the boundary of " + quoted(s.module[last.zone].name) +
-                " that " + quoted(m.recovery.name) +
-                " leads no further, and in no zone of the `or` the " +
+    o.because = std::string(stands ? "at rest at (" : "about (") + metres(o.place_mm->first) +
+                ", " + metres(o.place_mm->second) + ") a robot is so clear of the boundary of " +
+                quoted(s.module[last.zone].name) + " that " + quoted(m.recovery.name) +
+                (stands ? " leads no further" : " circles there") +
+                ", and in no zone of the `or` the " +
                 metres(last.return_clearance_mm) + " from its boundary where control returns";
     o.repair = "zones that overlap more there, or a recovery within one of them";
     return o;

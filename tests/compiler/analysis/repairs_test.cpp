@@ -506,6 +506,51 @@ TEST(Repairs, TheBrakeOfWhoCannotStopWorks) {
   EXPECT_FALSE(with(std::to_string(less))->module) << less;
 }
 
+// A brake that is sampled takes a long way to turn into a hold where it is very strong: to declare
+// less of it works.
+TEST(Repairs, ABrakeThatIsTooStrongIsToldWhichOneWorks) {
+  const std::string drone = edited(drone_spec(), "ahead   100 ms, 2 waypoints;", "");
+  const auto with = [&](const std::string& brake) {
+    return compiled(edited(drone, "brake >= 1 m/s^2", "brake >= " + brake + " m/s^2"));
+  };
+  const auto c = with("1000");
+  const std::string most =
+      number_in_help(*c, Code::return_set_empty, "a `brake` of at most ", "m/s^2");
+  EXPECT_TRUE(with(most)->module) << most;
+  EXPECT_FALSE(with(std::to_string(std::stod(most) * 1.05))->module) << most;
+}
+
+// Where inputs may ask for less speed than a recovery has, the greatest that it may have works.
+TEST(Repairs, ARecoveryThatInputsMayFindTooFastIsToldItsSpeed) {
+  const auto with = [](const std::string& speed) {
+    return compiled(R"(spec ward;
+zone floor = rectangle (0 m, 0 m) to (20 m, 12 m);
+input alarm : bool max_age 1 s;
+robot Cart {
+  body     radius 30 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 100 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 100 ms;
+  output   push : acceleration;
+  latency  40 ms;
+}
+fleet c : Cart;
+controller nav  : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller back : safe for Cart = retreat within floor speed )" +
+                    speed + R"( m/s;
+monitor walls for r : Cart { "R1: on the floor" always r inside floor; recover back; }
+monitor calm  for r : Cart { "R2: slow after an alarm" always once[0 s, 20 s] alarm implies r.speed <= 0.3 m/s; recover stop; }
+decision drive for Cart { advanced nav; period 50 ms; priority walls > calm; }
+)");
+  };
+  const auto c = with("0.5");
+  const std::string most =
+      number_in_help(*c, Code::recovery_breaks, "a recovery of at most ", "m/s works");
+  EXPECT_TRUE(with(most)->module) << most << reports(*with(most));
+  EXPECT_TRUE(has(*with(std::to_string(std::stod(most) * 1.05)), Code::recovery_breaks)) << most;
+}
+
 // A latency that the look-ahead does not cover: both numbers work.
 TEST(Repairs, TheNumbersOf5018Work) {
   const std::string late = edited(drone_spec(), "latency  20 ms", "latency  200 ms");
