@@ -204,10 +204,12 @@ class Recoveries {
     return name.starts_with(outside) || name.starts_with("zone_of_line_") ? "Z" : name;
   }
   std::string speed_to_name() const {
+    const ir::Recovery& last = ir::last_step(monitor_.recovery);
+    const std::int64_t own_mmps = ir::moves(last.kind) ? last.speed_mmps : 100;
     const std::int64_t least_mmps =
         2 * (decision_.body.velocity_error_mmps + decision_.pushed_mmps);
     const std::int64_t mmps =
-        std::min(decision_.motions[0].speed_mmps, std::max<std::int64_t>(100, least_mmps));
+        std::min(decision_.motions[0].speed_mmps, std::max(own_mmps, least_mmps));
     return to_decimal(Rational(mmps, 1000)) + " m/s";
   }
   void unneeded() {
