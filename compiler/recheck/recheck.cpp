@@ -514,6 +514,12 @@ class Check {
     if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
   }
+  // Who comes near a robot that its recovery has stopped finds it slow enough.
+  bool stands_and_holds(const sema::Decision& d, const sema::Monitor& m) {
+    return m.recover &&
+           std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation) &&
+           Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
+  }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
@@ -523,9 +529,7 @@ class Check {
     }
     const bool brakes =
         m.recover && std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation);
-    // who comes near a robot that stands finds it slow enough
-    const bool slow = brakes && Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
-    if (!slow && !kept_together(spec_, d, *m.always)) {
+    if (!stands_and_holds(d, m) && !kept_together(spec_, d, *m.always)) {
       fail(whom(d, e) + ": others may break it, whatever the recovery does");
     }
     if (!brakes) {
@@ -628,7 +632,8 @@ class Check {
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
-      if (!kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
+      const bool alike = driving.recover == m.recover && stands_and_holds(d, m);
+      if (!alike && !kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
         fail(whom(d, e) + ": others may break it, and nobody takes over");
       }
       within(d, e, driving, m);

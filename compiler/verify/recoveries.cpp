@@ -579,6 +579,11 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
                 " takes over as soon as they might";
     return o;
   }
+  const bool brakes = i.recovery.kind == ir::RecoveryKind::brake;
+  if (brakes && i.recovery.name == j.recovery.name && analysis::holds_at_rest(s.decision, j)) {
+    o.because += ", whose recovery it is, too: whoever comes near finds a robot that stands";
+    return o;
+  }
   o = doubted(std::move(o), itself);
   o.repair = acknowledging(i.recovery.name, j.name);
   return o;

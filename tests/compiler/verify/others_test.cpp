@@ -152,5 +152,38 @@ TEST_F(Others, NobodyIsThereOfAFleetOfOne) {
   EXPECT_EQ(statuses(o.out, "P2b", "others"), Statuses{"refuted"});
 }
 
+// Of two monitors of agents with one brake: while the brake drives for the one, whoever comes near
+// finds a robot that is as slow as the other one asks; but for one that asks for a distance alone.
+TEST_F(Others, ABrakeOfTwoMonitorsKeepsTheOneThatHoldsAtRest) {
+  const auto guide = [](const std::string& near) {
+    return R"(spec guide;
+zone hall = rectangle (0 m, 0 m) to (30 m, 20 m);
+robot Guide {
+  body    radius 30 cm;
+  motion  point { speed <= 1.2 m/s; accel <= 1 m/s^2; brake >= 1.5 m/s^2; }
+  sense   position : point  error 3 cm   max_age 50 ms;
+  sense   velocity : vector error 3 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 20 ms;
+}
+fleet g : Guide;
+agent visitors[6] : radius 30 cm, speed <= 1.5 m/s error 10 cm max_age 200 ms, present;
+controller tour : advanced for Guide extern;
+controller stop : safe for Guide = brake_and_hold;
+monitor touch  for r : Guide { "R1" always forall p : visitors : distance(r, p) >= 30 cm; recover stop; }
+monitor gentle for r : Guide { "R2" always forall p : visitors : distance(r, p) >= 2 m)" +
+           near + R"(; recover stop; }
+decision lead for Guide { advanced tour; period 50 ms; priority touch > gentle; acknowledge stop may break touch "seen"; )" +
+           (near.empty() ? "acknowledge stop may break gentle \"seen\"; }\n" : "}\n");
+  };
+  const Outcome slow =
+      verified(guide(" or r.speed <= 0.5 m/s"), {"-o", "proofs", "--format", "json"});
+  EXPECT_EQ(statuses(slow.out, "C", "gentle"), Statuses{"proved"}) << slow.out << slow.err;
+  const Outcome again = recheck_sealed_anew("proofs");
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+  const Outcome far = verified(guide(""), {"--format", "json"});
+  EXPECT_EQ(statuses(far.out, "C", "gentle"), Statuses{"acknowledged"}) << far.out << far.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
