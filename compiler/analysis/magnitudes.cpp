@@ -54,7 +54,7 @@ class Checker {
     most("the acceleration", k.motion.accel, accel_max_mps2, "m/s^2");
     least("the acceleration", k.motion.accel, least_accel_mps2, "m/s^2");
     most("the brake", k.motion.brake, accel_max_mps2, "m/s^2");
-    if (k.motion.brake.value == 0) return refuse_no_brake(k);  // all that is left divides by it
+    if (k.motion.brake.value <= 0) return refuse_no_brake(k);  // all that is left divides by it
     least("the brake", k.motion.brake, least_accel_mps2, "m/s^2");
     const auto disturbance = [](sema::RobotKind& of) { return &*of.motion.disturbance; };
     const auto output = [](sema::RobotKind& of) { return &*of.output_error; };
@@ -94,7 +94,7 @@ class Checker {
     diagnostics_.report(
         {Code::limit_contradictory,
          k.motion.brake.range,
-         "`" + k.name + "` cannot stop: `brake` is 0 m/s^2",
+         "`" + k.name + "` cannot stop: `brake` is " + to_decimal(k.motion.brake.value) + " m/s^2",
          "must be more than 0",
          {},
          works ? "at least " + to_decimal(*works) + " m/s^2 works"

@@ -90,8 +90,7 @@ class KindChecker {
          "at least 0.001 m/s works, and no less than its recoveries drive at"},
         {"accel", Relation::at_most, dims::acceleration, Limit::positive, true, "accel <= 1 m/s^2",
          "at least 0.001 m/s^2 is due, and what its zones ask for beyond"},
-        {"brake", Relation::at_least, dims::acceleration, Limit::not_negative, true,
-         "brake >= 1 m/s^2", "at least 0.001 m/s^2 is due, and what its zones ask for beyond"}};
+        {"brake", Relation::at_least, dims::acceleration, Limit::any, true, "brake >= 1 m/s^2"}};
     if (unicycle) {
       rules.push_back({"turn", Relation::at_most, dims::turn_rate, Limit::positive, true,
                        "turn <= 2 rad/s",
