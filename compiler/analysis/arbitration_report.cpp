@@ -156,10 +156,9 @@ class Report {
           decision_.monitors[j].property, [&](const ir::Block& block, const ir::AtLeast& compare) {
             const auto most = ir::upper_bound(block, compare);
             if (!most || most->leaf.kind != ir::Leaf::Kind::speed) return;
-            const std::int64_t above_mmps =
-                fastest_mmps(decision_.body, decision_.pushed_mmps, decision_.period_us,
-                             most->most) -
-                most->most;
+            const std::int64_t above_mmps = fastest_mmps(decision_.body, decision_.pushed_mmps,
+                                                         decision_.period_us, most->most) -
+                                            most->most;
             guess_mmps = std::min(guess_mmps, most->most - above_mmps);
           });
     }

@@ -98,8 +98,9 @@ class Checker {
          "must be more than 0",
          {},
          works ? "at least " + to_decimal(*works) + " m/s^2 works"
-               : as_tried(trials_, "give the least deceleration that the robot is sure to reach; no "
-                                   "brake alone mends all of this specification"),
+               : as_tried(trials_,
+                          "give the least deceleration that the robot is sure to reach; no "
+                          "brake alone mends all of this specification"),
          {}});
   }
   struct Push {

@@ -13,7 +13,7 @@
 namespace rtac::analysis {
 
 struct AskedClearance {
-  std::int64_t mm = 0;  // 0: none
+  std::int64_t mm = 0;   // 0: none
   SourceRange source{};  // of the comparison
 };
 // Clearance of the centre in `zone`, in mm, at which the return condition of monitor `k` holds for

@@ -274,8 +274,8 @@ std::string step_contract(const DecisionFacts& f) {
   for (std::size_t k = 0; k < f.monitors.size(); ++k) {
     const std::string at = "out->monitors[" + number(k) + "]", far = number(horizon_of(f, k));
     const std::string driver = "$D_motions[v.driver]", longer = far + " + " + number(f.period_us);
-    out += "/*? !drives_on */ ensures priority: " + at + ".engaged != 0 ==> 1 <= out->mode <= " +
-           number(k + 1) + ";\n";
+    out += "/*? !drives_on */ ensures priority: " + at +
+           ".engaged != 0 ==> 1 <= out->mode <= " + number(k + 1) + ";\n";
     // what the arbitration proves of pairs stands in the table
     for (const std::string& each : driven_while_engaged(
              f, k, {at + ".engaged", at + ".now", "out->mode", "out->previous_mode"})) {

@@ -145,9 +145,8 @@ class Rest {
     // of its position have it seen
     const ir::Body& body = s_.decision.body;
     const std::int64_t off_mm = 2 * body.position_error_mm + 10 + round_mm;
-    const std::int64_t ends_mm = ir::goes_back(last_.kind)
-                                     ? std::max(mm, analysis::aims_at_mm(s_.decision, last_))
-                                     : mm;
+    const std::int64_t ends_mm =
+        ir::goes_back(last_.kind) ? std::max(mm, analysis::aims_at_mm(s_.decision, last_)) : mm;
     const auto sure = analysis::between(own, zones, s_.exact, ends_mm + off_mm, mm - off_mm);
     for (const ir::ZoneIndex zone : zones) {
       if (!sure || stuck_) break;
@@ -229,8 +228,8 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
                 ", " + metres(o.place_mm->second) + ") a robot is so clear of the boundary of " +
                 quoted(s.module[last.zone].name) + " that " + quoted(m.recovery.name) +
                 (stands ? " leads no further" : " circles there") +
-                ", and in no zone of the `or` the " +
-                metres(last.return_clearance_mm) + " from its boundary where control returns";
+                ", and in no zone of the `or` the " + metres(last.return_clearance_mm) +
+                " from its boundary where control returns";
     o.repair = "zones that overlap more there, or a recovery within one of them";
     return o;
   }
