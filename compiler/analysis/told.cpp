@@ -31,6 +31,12 @@ Span hull(std::initializer_list<Rational> ends) {
   return {*std::ranges::min_element(ends), *std::ranges::max_element(ends)};
 }
 
+// Of what stays as it is.
+bool is_of_its_values(sema::AggregateOp op) {
+  return op == sema::AggregateOp::minimum || op == sema::AggregateOp::maximum ||
+         op == sema::AggregateOp::mean;
+}
+
 // What is told: a component of an input, or a parameter.
 struct Name {
   bool is_param = false;
@@ -178,6 +184,9 @@ class Reader {
     }
     if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) return arithmetic(*v);
     if (const auto* v = std::get_if<sema::Math>(&e.node)) return math(*v);
+    if (const auto* v = std::get_if<sema::Aggregate>(&e.node)) {
+      return stays_ && is_of_its_values(v->op) ? number(*v->operand) : std::nullopt;
+    }
     if (const auto* v = std::get_if<sema::Choice>(&e.node)) {
       const Number a = number(*v->then_value), b = number(*v->else_value);
       const Truth3 when = truth(*v->condition, true);
@@ -241,8 +250,9 @@ class Reader {
 
 class Search {
  public:
-  Search(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how)
-      : spec_(spec), property_(property), value_(value), how_(how) {
+  // `suits`: what anything is that inputs do not decide.
+  Search(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how, bool suits)
+      : spec_(spec), property_(property), value_(value), how_(how), suits_(suits) {
     collect(property);
   }
 
@@ -320,7 +330,7 @@ class Search {
   [[nodiscard]] bool is_out(const Box& box, bool stays) const {
     const Truth3 other = from(!value_);
     const auto reads = [&](const Box& of) {
-      return Reader(spec_, of, stays ? of : ever_, stays).truth(property_, value_);
+      return Reader(spec_, of, stays ? of : ever_, stays).truth(property_, suits_);
     };
     if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
@@ -345,7 +355,7 @@ class Search {
       const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
       span = {Rational(span.lo - by), Rational(span.hi + by)};
     }
-    return Reader(spec_, seen, seen, true).truth(property_, value_) == from(value_);
+    return Reader(spec_, seen, seen, true).truth(property_, suits_) == from(value_);
   }
   // On the grid, where it has one.
   [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
@@ -403,6 +413,7 @@ class Search {
   const sema::Expr& property_;
   bool value_;
   ToldHow how_;
+  bool suits_;
   Box ever_;  // whatever is measured
   bool looks_back_ = false;
   Variables variables_;
@@ -411,7 +422,11 @@ class Search {
 }  // namespace
 
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
-  return Search(spec, property, value, how).run();
+  return Search(spec, property, value, how, value).run();
+}
+std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property) {
+  const Told told = Search(spec, property, true, ToldHow::seen, false).run();
+  return told.can == CanBeTold::yes ? told.inputs : std::vector<ToldInput>();
 }
 
 std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs) {

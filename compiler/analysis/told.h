@@ -28,6 +28,9 @@ enum class ToldHow { exactly, seen };
 // Whether inputs within their ranges make `property` be `value`, whatever the parameters are. no:
 // none does, with any parameters; open: nobody knows.
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how);
+// Those that are seen to make it true whatever robots sense, as long as they stay; none: there are
+// none, or they were not found.
+std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property);
 
 // "load = 20, not door", of the specification.
 std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs);

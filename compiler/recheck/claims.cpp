@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <sstream>
 
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/fails.h"
@@ -24,6 +25,8 @@ namespace {
 
 using Found = std::optional<Doubt>;
 
+}  // namespace
+
 const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
                                 const std::string& name) {
   for (const sema::MonitorId id : d.priority) {
@@ -31,8 +34,12 @@ const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
   }
   return nullptr;
 }
-
-}  // namespace
+std::set<std::string> names_in(const std::string& text) {
+  std::set<std::string> names;
+  std::istringstream in(text);
+  for (std::string name; std::getline(in, name, ';');) names.insert(name);
+  return names;
+}
 
 Doubt wrong(std::string why) {
   return {true, std::move(why)};
@@ -552,7 +559,9 @@ Found Claims::height(const Values& v) {
   if (d == nullptr || !d->period || !z || !gap || !extra) {
     return wrong("no such decision or height");
   }
+  const std::set<std::string> but = names_in(text(v, "but"));
   for (const sema::MonitorId id : d->priority) {
+    if (but.contains(spec_[id].name)) continue;  // what inputs alone make true
     const Rational room = return_clearance(*d, spec_[id], micro(*extra));
     if (speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
       return wrong("a robot at rest with that clearance may not be given back");
@@ -749,19 +758,6 @@ Found Claims::fails(const Values& v) {
 }
 
 // Inputs with which the property is seen to be true, or is false, as far as it is up to them.
-Found Claims::told(const Values& v) {
-  const sema::Decision* const d = decision(v);
-  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
-  if (m == nullptr) return wrong("no such monitor");
-  const auto inputs = told_inputs(spec_, text(v, "inputs"));
-  const std::string value = text(v, "value");
-  if (!inputs || (value != "true" && value != "false")) {
-    return wrong("the inputs cannot be measured so");
-  }
-  if (told_makes(spec_, *m->always, *inputs, value == "true")) return std::nullopt;
-  return wrong("with those inputs the property need not be " + value);
-}
-
 Found Claims::known(const Values& v) {
   if (decision(v) == nullptr) return wrong("no such decision");
   return std::nullopt;

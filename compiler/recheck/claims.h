@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,10 @@ Rational micro(std::int64_t n);
 // nullopt: there is none, or it is no number.
 std::optional<std::int64_t> number(const Values& v, const std::string& key);
 std::string text(const Values& v, const std::string& key);
+// Of "calm;shut".
+std::set<std::string> names_in(const std::string& text);
+const sema::Monitor* monitor_of(const sema::Spec& spec, const sema::Decision& d,
+                                const std::string& name);
 
 // The zones that a property keeps the robot in whatever else it says, those whose clearance it
 // bounds from below, and those of all its atoms.

@@ -285,10 +285,7 @@ class Check {
     }
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
-    for (const sema::MonitorId id : d.priority) {
-      if (spec_[id].name == name) return &spec_[id];
-    }
-    return nullptr;
+    return monitor_of(spec_, d, name);
   }
 
   // No two robots are farther apart than the box of a zone that both are held in, less the body on
@@ -310,6 +307,15 @@ class Check {
       }
     }
   }
+  // They ask for no place while inputs are as it is said.
+  static std::set<std::string> true_by_inputs_alone(const sema::Decision& d, const Entry& e) {
+    std::set<std::string> names;
+    for (const Claim& c : e.claims) {
+      const bool alone = c.what == "told" && text(c.values, "alone") == "true";
+      if (alone && text(c.values, "decision") == d.name) names.insert(text(c.values, "monitor"));
+    }
+    return names;
+  }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
     if (has(e, "no_fences", {{"decision", d.name}})) {
@@ -320,8 +326,12 @@ class Check {
     }
     std::set<std::string> zones, places, named;
     std::string height;
+    const std::set<std::string> alone = true_by_inputs_alone(d, e);
+    const auto asks = [&](sema::MonitorId id) {
+      return !spec_[id].ahead.waypoints_only && !alone.contains(spec_[id].name);
+    };
     for (const sema::MonitorId id : d.priority) {
-      if (spec_[id].ahead.waypoints_only) continue;
+      if (!asks(id)) continue;
       for (const sema::ZoneId zone : asked_in(spec_, *spec_[id].always)) {
         zones.insert(claims_.zones().name(zone));
       }
@@ -337,15 +347,24 @@ class Check {
       if (c.what == "place") height = text(c.values, "z_mm");
     }
     for (const sema::MonitorId id : d.priority) {
-      if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], named);
+      if (asks(id)) one_side_each(d, e, spec_[id], named);
     }
     if (places.empty()) need(d, e, "no_fences");
     const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {
       return spec_[id].return_when != nullptr;
     });
     if (asked) need(d, e, "returned");
-    if (asks_for_height(d) && !has(e, "height", {{"decision", d.name}})) {
+    const bool high = std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
+      return !alone.contains(spec_[id].name) && speaks_of_height(*spec_[id].always);
+    });
+    if (high && !has(e, "height", {{"decision", d.name}})) {
       fail(whom(d, e) + ": nothing is said of the height");
+    }
+    for (const Claim& c : e.claims) {
+      if (c.what != "height") continue;
+      if (!std::ranges::includes(alone, names_in(text(c.values, "but")))) {
+        fail(whom(d, e) + ": it leaves out what inputs alone do not make true");
+      }
     }
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
@@ -401,10 +420,6 @@ class Check {
         return;
       }
     }
-  }
-  bool asks_for_height(const sema::Decision& d) const {
-    return std::ranges::any_of(
-        d.priority, [&](sema::MonitorId id) { return speaks_of_height(*spec_[id].always); });
   }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
   // or it keeps a side of it; and as far from their boundaries as the property asks, unless that

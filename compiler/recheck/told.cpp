@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/recheck/claims.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
@@ -16,8 +17,9 @@ using Known = std::optional<Bounds>;
 
 class Reader {
  public:
-  Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors)
-      : spec_(spec), inputs_(inputs), with_errors_(with_errors) {}
+  // `anyhow`: what no input decides may be anything, and else is as it suits.
+  Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false)
+      : spec_(spec), inputs_(inputs), with_errors_(with_errors), anyhow_(anyhow) {}
 
   // Whether it can be so in spite of what suits.
   [[nodiscard]] bool can_be(const sema::Expr& e, bool value, bool suits) const {
@@ -25,7 +27,8 @@ class Reader {
     if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value, suits);
     if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, value);
     if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) {
-      return suits && can_be(*v->operand, value, suits);  // at first it is not
+      // at first it is not
+      return anyhow_ || (suits && can_be(*v->operand, value, suits));
     }
     if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
       return can_be(*v->operand, value, suits);
@@ -33,18 +36,18 @@ class Reader {
     if (const auto* v = std::get_if<sema::Past>(&e.node)) return can_be(*v->operand, value, suits);
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
       const Known at = measured(v->input, v->component);
-      return at && (sgn(at->lo) != 0) == value;
+      return at ? (sgn(at->lo) != 0) == value : anyhow_;
     }
     if (const auto* v = std::get_if<sema::IsValue>(&e.node)) {
       const Known at = measured(v->input, v->component);
-      return at && (at->lo == static_cast<unsigned long>(v->value)) == value;
+      return at ? (at->lo == static_cast<unsigned long>(v->value)) == value : anyhow_;
     }
     if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
       const Known a = measured(v->left.input, v->left.component);
       const Known b = measured(v->right.input, v->right.component);
-      return a && b && (a->lo == b->lo) == value;
+      return a && b ? (a->lo == b->lo) == value : anyhow_;
     }
-    return false;
+    return anyhow_;
   }
 
  private:
@@ -82,7 +85,7 @@ class Reader {
   }
   [[nodiscard]] bool compare(const sema::Compare& v, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
-    if (!a || !b) return false;
+    if (!a || !b) return anyhow_;
     switch (v.op) {
       case sema::CompareOp::less:
         return value ? a->lo < b->hi : a->hi >= b->lo;
@@ -118,6 +121,13 @@ class Reader {
     if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
       const sema::Param& param = spec_[v->param];
       return Bounds{param.least.value, param.most.value};
+    }
+    if (const auto* v = std::get_if<sema::Aggregate>(&e.node)) {
+      // it stays as it is
+      const bool of_values = v->op == sema::AggregateOp::minimum ||
+                             v->op == sema::AggregateOp::maximum ||
+                             v->op == sema::AggregateOp::mean;
+      return of_values ? number(*v->operand) : std::nullopt;
     }
     std::vector<Bounds> of;
     const auto* const sum = std::get_if<sema::Arithmetic>(&e.node);
@@ -173,7 +183,7 @@ class Reader {
 
   const sema::Spec& spec_;
   const ToldInputs& inputs_;
-  bool with_errors_;
+  bool with_errors_, anyhow_;
 };
 
 bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
@@ -240,6 +250,36 @@ bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldIn
   const auto all = told_in(spec, property);
   return std::ranges::all_of(all, [&](const ToldInput& each) { return inputs.contains(each); }) &&
          !Reader(spec, inputs, value).can_be(property, !value, value);
+}
+
+bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,
+                      const ToldInputs& inputs) {
+  return !inputs.empty() && !Reader(spec, inputs, true, true).can_be(property, false, false);
+}
+
+std::optional<Doubt> Claims::told(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
+  if (m == nullptr) return wrong("no such monitor");
+  const auto inputs = told_inputs(spec_, text(v, "inputs"));
+  const std::string value = text(v, "value");
+  if (!inputs || (value != "true" && value != "false")) {
+    return wrong("the inputs cannot be measured so");
+  }
+  if (!told_makes(spec_, *m->always, *inputs, value == "true")) {
+    return wrong("with those inputs the property need not be " + value);
+  }
+  if (text(v, "alone") != "true") return std::nullopt;
+  if (value != "true" || m->return_when || !told_alone_makes(spec_, *m->always, *inputs)) {
+    return wrong("with those inputs alone the property need not be true");
+  }
+  for (const sema::MonitorId id : d->priority) {
+    if (&spec_[id] == m) continue;
+    for (const ToldInput& each : told_in(spec_, *spec_[id].always)) {
+      if (inputs->contains(each)) return wrong("`" + spec_[id].name + "` asks for them, too");
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace rtac::recheck

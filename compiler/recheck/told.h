@@ -25,5 +25,7 @@ std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
 // and false where there are none.
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value);
+// Whether it is true then whatever else is sensed, as long as they stay so.
+bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs);
 
 }  // namespace rtac::recheck

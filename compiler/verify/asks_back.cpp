@@ -131,7 +131,7 @@ JointNeeds joint_needs_of(const Subject& s) {
   const auto& params = s.decision.facts.params;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     const ir::Monitor& m = s.decision.monitors[k];
-    if (m.lookahead.duration) {
+    if (s.looks_at_places(k)) {
       const std::int64_t back_mm =
           analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
       for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {

@@ -10,9 +10,9 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/standoffs.h"
-#include "compiler/analysis/told.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/geometry/crowding.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/common_place.h"
@@ -275,16 +275,16 @@ Obligation not_told(Obligation o, const analysis::Told& told) {
   o.repair = "a property that can be seen to be true works";
   return o;
 }
-void claim_told(const Subject& s, std::size_t k, bool holds, const analysis::Told& told,
-                Obligation& o) {
-  if (told.inputs.empty()) return;
+void claim_told(const Subject& s, std::size_t k, bool holds,
+                const std::vector<analysis::ToldInput>& told, Obligation& o) {
+  if (told.empty()) return;
   std::string inputs;
-  for (const analysis::ToldInput& each : told.inputs) {
+  for (const analysis::ToldInput& each : told) {
     const sema::Input& input = s.spec[each.input];
     inputs += (inputs.empty() ? "" : ";") + input.name + "." + std::to_string(each.component) +
               "=" + each.value.get_str();
   }
-  o.because += (o.because.empty() ? "with " : ", with ") + analysis::told_text(s.spec, told.inputs);
+  o.because += (o.because.empty() ? "with " : ", with ") + analysis::told_text(s.spec, told);
   o.claims.push_back({"told",
                       {{"decision", s.decision.name},
                        {"monitor", s.decision.monitors[k].name},
@@ -359,7 +359,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.because = "a robot at rest that is far from others and charged is seen to keep it";
     o.claims.push_back(limits_claim(s));
   }
-  claim_told(s, k, true, told, o);
+  claim_told(s, k, true, told.inputs, o);
   return o;
 }
 
@@ -392,7 +392,7 @@ Obligation can_fail(const Subject& s, std::size_t k) {
   o.method = "witness";
   o.because = because.empty() ? "what it is told may make it false" : "it is false " + because;
   o.claims.push_back({"fails", {{"decision", s.decision.name}, {"monitor", m.name}}});
-  claim_told(s, k, false, told, o);
+  claim_told(s, k, false, told.inputs, o);
   return o;
 }
 
@@ -522,9 +522,37 @@ std::string never_so_far_apart(const Subject& s) {
   return "";
 }
 
-}  // namespace
+// Whether a property speaks of one of them.
+bool asks_for(const sema::Expr& property, const std::vector<analysis::ToldInput>& inputs) {
+  bool found = false;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto is = [&](sema::InputId id) {
+      found = found || std::ranges::find(inputs, id, &analysis::ToldInput::input) != inputs.end();
+    };
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) is(v->input);
+    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) is(v->input);
+    if (const auto* v = std::get_if<sema::SameValue>(&e.node))
+      is(v->left.input), is(v->right.input);
+  });
+  return found;
+}
+// What inputs make true that no other monitor speaks of, wherever the robot is.
+Subject with_inputs_that_suit(const Subject& s) {
+  Subject with = s;
+  const std::size_t count = s.decision.monitors.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!s.looks_at_places(k) || s.decision.monitors[k].return_when) continue;
+    auto inputs = analysis::told_whatever_is_sensed(s.spec, *s.monitor(k).always);
+    bool shared = inputs.empty();
+    for (std::size_t other = 0; other < count; ++other) {
+      shared = shared || (other != k && asks_for(*s.monitor(other).always, inputs));
+    }
+    if (!shared) with.told[k] = std::move(inputs);
+  }
+  return with;
+}
 
-Obligation returns_together(const Subject& s) {
+Obligation returned_as_they_say(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
   if (const std::string never = never_so_far_apart(s); !never.empty()) {
@@ -545,8 +573,8 @@ Obligation returns_together(const Subject& s) {
     return o;
   }
   std::vector<const ir::Monitor*> looking;
-  for (const ir::Monitor& m : monitors) {
-    if (m.lookahead.duration) looking.push_back(&m);
+  for (std::size_t k = 0; k < monitors.size(); ++k) {
+    if (s.looks_at_places(k)) looking.push_back(&monitors[k]);
   }
   const std::vector<Sides> ways =
       ways_to_choose(s, looking, [&](const ir::Monitor& m, std::int64_t own_mm) {
@@ -575,6 +603,27 @@ Obligation returns_together(const Subject& s) {
   o.claims.clear();
   o.place_mm = {};
   return o;
+}
+
+}  // namespace
+
+Obligation returns_together(const Subject& s) {
+  const Obligation o = returned_as_they_say(s);
+  if (o.status == Status::proved) return o;
+  const Subject with = with_inputs_that_suit(s);
+  if (with.told.empty()) return o;
+  Obligation told = returned_as_they_say(with);
+  const auto is_place = [](const Claim& c) { return c.what == "place" || c.what == "returned"; };
+  if (told.status != Status::proved || std::ranges::none_of(told.claims, is_place)) {
+    // what inputs may keep from asking refutes nothing
+    if (o.status != Status::refuted || told.status == Status::refuted) return o;
+    return told;
+  }
+  for (const auto& [k, inputs] : with.told) {
+    claim_told(s, k, true, inputs, told);
+    told.claims.back().values["alone"] = "true";
+  }
+  return told;
 }
 
 }  // namespace rtac::verify

@@ -35,6 +35,13 @@ struct Band {
   bool asked = false;
   bool beside_others = false;  // some heights are one side of what another side may do for
 };
+std::string names_of_told(const Subject& s) {
+  std::string all;
+  for (const auto& [k, inputs] : s.told) {
+    all += (all.empty() ? "" : ";") + s.decision.monitors[k].name;
+  }
+  return all;
+}
 bool speaks_of_height(const sema::Expr& e) {
   bool found = false;
   sema::for_each_expr(e, [&](const sema::Expr& each) {
@@ -54,7 +61,7 @@ Band band_of(const Subject& s) {
   Band band;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     const ir::Monitor& m = s.decision.monitors[k];
-    if (!m.lookahead.duration) continue;
+    if (!s.looks_at_places(k)) continue;
     band.beside_others = band.beside_others || has_height_beside_others(*s.monitor(k).always);
     const std::int64_t gap = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
     ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
@@ -124,6 +131,7 @@ class Together {
                              {"z_mm", std::to_string(spot->z_mm)},
                              {"extra_us", std::to_string(s_.decision.return_extra_us)},
                              {"gap_mm", std::to_string(band_.gap_mm)}}});
+        if (!s_.told.empty()) o.claims.back().values["but"] = names_of_told(s_);
       }
       return all_at_once(s_, joint_.zones, floor_at(spot->z_mm), std::move(o));
     }

@@ -4,11 +4,13 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/straight_in.h"
+#include "compiler/analysis/told.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
 #include "compiler/protocol/protocol.h"
@@ -34,6 +36,11 @@ struct Subject {
   const sema::RobotKind& kind;
   bool is_read = true;  // somebody reads the texts, and not only what is shown
   std::shared_ptr<analysis::KnownPlaces> known = std::make_shared<analysis::KnownPlaces>();
+  // Monitors that inputs alone make true, which then ask for no place, with those inputs.
+  std::map<std::size_t, std::vector<analysis::ToldInput>> told{};
+  [[nodiscard]] bool looks_at_places(std::size_t k) const {
+    return decision.monitors[k].lookahead.duration && !told.contains(k);
+  }
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const {
     return spec[written.priority[k]];
   }

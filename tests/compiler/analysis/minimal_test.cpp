@@ -238,6 +238,7 @@ std::vector<Offer> offers() {
       of_robot("`error` of the velocity", "m/s", 1000, false, "velocity[^;]*error +"),
       of_robot("`error` of the output", "m/s\\^2", 1000, false, "output[^;]*error +"),
       of_robot("`brake`", "m/s\\^2", 1000, true, "\\bbrake *>= *"),
+      of_robot("`brake`", "m/s\\^2", 1000, false, "\\bbrake *>= *"),
       of_robot("`accel`", "m/s\\^2", 1000, false, "\\baccel *<= *"),
       of_robot("`speed` of the robot", "m/s", 1000, false, "\\bspeed *<= *"),
       of_robot("`turn`", "rad/s", 1000, false, "\\bturn *<= *"),

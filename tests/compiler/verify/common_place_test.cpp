@@ -101,8 +101,8 @@ TEST_F(CommonPlace, ANarrowOneIsFoundAgain) {
 }
 
 // A height that is asked for unless inputs say something else keeps nobody from being given back
-// higher up: no joint return is refuted by it.
-TEST_F(CommonPlace, AHeightBesideAnotherSideRefutesNothing) {
+// higher up, where inputs say so, and no other monitor asks for them.
+TEST_F(CommonPlace, AHeightBesideWhatInputsSayIsNotAskedFor) {
   const auto quad = [](const std::string& low) {
     return R"(spec roof;
 zone plot     = rectangle (0 m, 0 m) to (50 m, 40 m);
@@ -127,12 +127,30 @@ monitor shell for r : Quad { "R2: in the air space" always clearance(r, air) >= 
 decision fly for Quad { advanced wash; period 50 ms; priority calm > shell; acknowledge down may break shell "a test"; }
 )";
   };
-  const auto joint = [&](const std::string& low) {
-    const Outcome o = verified(quad(low), {"--format", "json"});
+  const auto joint = [&](const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json", "-o", "proofs"});
     return statuses(o.out, "joint return", "");
   };
-  EXPECT_EQ(joint("r.position.z <= 4 m"), Statuses{"refuted"});
-  EXPECT_EQ(joint("wind <= 9 m/s or r.position.z <= 4 m"), Statuses{"unknown"});
+  EXPECT_EQ(joint(quad("r.position.z <= 4 m")), Statuses{"refuted"});
+  for (const std::string low : {"wind <= 9 m/s or r.position.z <= 4 m",
+                                "max[0 s, 10 s](wind) <= 9 m/s or r.position.z <= 4 m"}) {
+    EXPECT_EQ(joint(quad(low)), Statuses{"proved"}) << low;
+    const Outcome again = recheck_sealed_anew("proofs");
+    EXPECT_EQ(again.status, exit_clean) << low << again.out << again.err;
+  }
+  // in a wind of 10 m/s it is not
+  std::string fly = read("proofs/verification.json");
+  const std::string at = "wind.0=";
+  std::size_t from = fly.rfind(at) + at.size();
+  write("proofs/verification.json", fly.replace(from, fly.find('"', from) - from, "10"));
+  const Outcome denied = recheck_sealed_anew("proofs");
+  EXPECT_EQ(denied.status, exit_violation) << denied.out;
+  EXPECT_NE(denied.out.find("with those inputs"), std::string::npos) << denied.out;
+  // both speak of it: with one wind the one lets go, with another one the other
+  const std::string both =
+      edited(quad("wind <= 9 m/s or r.position.z <= 4 m"), "always clearance(r, air) >= 50 cm",
+             "always clearance(r, air) >= 50 cm or wind >= 20 m/s");
+  EXPECT_EQ(joint(both), Statuses{"unknown"});
 }
 
 }  // namespace
