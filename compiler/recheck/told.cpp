@@ -275,8 +275,11 @@ std::optional<Doubt> Claims::told(const Values& v) {
   }
   for (const sema::MonitorId id : d->priority) {
     if (&spec_[id] == m) continue;
-    for (const ToldInput& each : told_in(spec_, *spec_[id].always)) {
-      if (inputs->contains(each)) return wrong("`" + spec_[id].name + "` asks for them, too");
+    const sema::Monitor& other = spec_[id];
+    std::set<ToldInput> asked = told_in(spec_, *other.always);
+    if (other.return_when) asked.merge(told_in(spec_, *other.return_when));
+    for (const ToldInput& each : asked) {
+      if (inputs->contains(each)) return wrong("`" + other.name + "` asks for them, too");
     }
   }
   return std::nullopt;

@@ -531,8 +531,10 @@ bool asks_for(const sema::Expr& property, const std::vector<analysis::ToldInput>
     };
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) is(v->input);
     if (const auto* v = std::get_if<sema::IsValue>(&e.node)) is(v->input);
-    if (const auto* v = std::get_if<sema::SameValue>(&e.node))
-      is(v->left.input), is(v->right.input);
+    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
+      is(v->left.input);
+      is(v->right.input);
+    }
   });
   return found;
 }
@@ -545,7 +547,9 @@ Subject with_inputs_that_suit(const Subject& s) {
     auto inputs = analysis::told_whatever_is_sensed(s.spec, *s.monitor(k).always);
     bool shared = inputs.empty();
     for (std::size_t other = 0; other < count; ++other) {
-      shared = shared || (other != k && asks_for(*s.monitor(other).always, inputs));
+      const sema::Monitor& m = s.monitor(other);
+      shared = shared || (other != k && (asks_for(*m.always, inputs) ||
+                                         (m.return_when && asks_for(*m.return_when, inputs))));
     }
     if (!shared) with.told[k] = std::move(inputs);
   }
@@ -615,8 +619,10 @@ Obligation returns_together(const Subject& s) {
   Obligation told = returned_as_they_say(with);
   const auto is_place = [](const Claim& c) { return c.what == "place" || c.what == "returned"; };
   if (told.status != Status::proved || std::ranges::none_of(told.claims, is_place)) {
-    // what inputs may keep from asking refutes nothing
     if (o.status != Status::refuted || told.status == Status::refuted) return o;
+    // what inputs may keep from asking refutes nothing
+    told.status = Status::unknown;
+    told.claims.clear();
     return told;
   }
   for (const auto& [k, inputs] : with.told) {
