@@ -50,6 +50,7 @@ bool speaks_of_height(const sema::Expr& e) {
   });
   return found;
 }
+// Of an `or`, or anything else that is no `and`: then nobody has to be at that height.
 bool has_height_beside_others(const sema::Expr& e) {
   const auto* logic = std::get_if<sema::Logic>(&e.node);
   if (logic == nullptr) return false;
