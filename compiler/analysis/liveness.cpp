@@ -418,6 +418,22 @@ std::vector<Stranded> shut_off(const ir::Cells& cells, const ir::Recovery& recov
   return parts_of(Grid(cells, recovery.route_clearance_mm), cells, shut);
 }
 
+std::optional<std::size_t> robot_without_way(const ir::Module& module, const ir::Recovery& route,
+                                             const Stranded& from) {
+  const ir::Cells& cells = module[route.zone].cells;
+  const std::int64_t column = (from.x_mm - cells.origin_x_mm) / cells.cell_mm;
+  const std::int64_t row = (from.y_mm - cells.origin_y_mm) / cells.cell_mm;
+  const auto at = static_cast<std::size_t>(row * cells.columns + column);
+  const Grid grid(cells, route.route_clearance_mm);
+  const std::vector<std::vector<bool>> sites = site_cells(module, route, cells);
+  std::size_t next = 0;
+  for (std::size_t robot = 0; robot < module[route.site].places.size(); ++robot) {
+    if (module[route.site].table_of(robot) != robot) continue;
+    if (!has_way(grid, sites[next++])[at]) return robot;
+  }
+  return std::nullopt;
+}
+
 Ways ways_of(const ir::Module& module, const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::ZoneTable& zone = module[recovery.zone];
   return ways_over(edges_of(zone), zone.cells, module, decision, recovery);

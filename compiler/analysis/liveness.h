@@ -58,6 +58,9 @@ Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cel
 // The parts of those `lost` cells that have been looked at: no way leads from there.
 std::vector<Stranded> shut_off(const ir::Cells& cells, const ir::Recovery& recovery,
                                const Ways& ways);
+// The robot to whose site, of several, no way leads from there; nullopt: of all robots one does.
+std::optional<std::size_t> robot_without_way(const ir::Module& module, const ir::Recovery& route,
+                                             const Stranded& from);
 
 // The longest leg of a retreat of the plane that takes one straight leg from everywhere, and no way
 // over cells. none: it may take a way.

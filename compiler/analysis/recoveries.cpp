@@ -386,10 +386,9 @@ class Recoveries {
     const Stranded& part = parts.front();
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t cell_mm = zone.cells.cell_mm;
-    diag::Diagnostic d =
-        finding(Code::no_way_back, "from " + place(part.x_mm, part.y_mm) + " in `" + zone.name +
-                                       "`, `" + controller_.name +
-                                       "` finds no way to where control can be given back");
+    diag::Diagnostic d = finding(
+        Code::no_way_back, "from " + place(part.x_mm, part.y_mm) + " in `" + zone.name + "`, `" +
+                               controller_.name + "` finds no way to " + aim_of(last, part));
     d.label = "ends there once the robot is there";
     d.notes.push_back(
         {std::nullopt,
@@ -398,9 +397,8 @@ class Recoveries {
              square_metres(Rational(part.cells * cell_mm * cell_mm, 1'000'000)) +
              (parts.size() > 1 ? ", and there are " + std::to_string(parts.size() - 1) + " more"
                                : "")});
-    const auto leads = [](const Ways& of_it) {
-      return of_it.stranded.empty() || of_it.stranded.front().cells < stranded_cells_least;
-    };
+    // of what is offered not one cell may be left, or P2b of it is not proved
+    const auto leads = [](const Ways& of_it) { return of_it.stranded.empty(); };
     const auto over_cells = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
       return leads(ways_over(cells, module_, decision_, last));
     };
@@ -413,6 +411,15 @@ class Recoveries {
     // a site is reached wherever control returns
     if (!is_route) d.help += nearer(last.return_clearance_mm - part.clearance_mm, d);
     diagnostics_.report(std::move(d));
+  }
+  // Of several sites the one that is not reached.
+  [[nodiscard]] std::string aim_of(const ir::Recovery& last, const Stranded& from) const {
+    const std::string aim = "where control can be given back";
+    if (last.kind != ir::RecoveryKind::route || module_[last.site].places.size() < 2) return aim;
+    const auto robot = robot_without_way(module_, last, from);
+    const ir::SiteTable& site = module_[last.site];
+    if (!robot) return aim;
+    return "`" + site.name + "(" + site.places[*robot].robot + ")`, " + aim;
   }
   // Numbers with which control returns there, or where a way leads from there: looked for from so
   // much less clearance on.

@@ -20,6 +20,11 @@ bool is_operator(TokenKind kind) {
          (kind >= T::AND && kind <= T::XOR);
 }
 
+// Behind a name: `shrink(`, `room - pit`.
+bool computes_zone(TokenKind kind) {
+  return kind == T::LEFT_PAREN || kind == T::MINUS || kind == T::AMPERSAND || kind == T::PIPE;
+}
+
 std::string join_choices(const std::vector<std::string>& choices) {
   std::string result;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -38,6 +43,7 @@ class Describer {
   Diagnostic describe(const std::optional<Edit>& edit) {
     if (found_.kind == T::UNKNOWN) return unknown_character();
     if (is_comment_in_unit(tokens_, error_.index, sources_)) return comment_in_unit();
+    if (error_.expects(T::SPEED) && computes_zone(found_.kind)) return computed_zone();
     if (!edit) return plain();
     switch (edit->reason) {
       case EditReason::missing:
@@ -218,13 +224,6 @@ class Describer {
     Diagnostic result =
         make(Code::unexpected_token, "expected " + what + after() + ", found " + found(),
              what + " is missing");
-    if (kind == T::SPEED && found_.kind == T::LEFT_PAREN) {
-      result.label = "the name of a zone is due";
-      result.help =
-          "recoveries move within a zone that has a name: "
-          "`zone inner = shrink(yard, 10 cm);`";
-      return result;
-    }
     if (kind == T::SEMICOLON) result.code = Code::missing_semicolon;
     result.range = behind_previous();
     const bool is_word = find_word(kind) != nullptr;
@@ -238,6 +237,23 @@ class Describer {
       result.code = Code::unclosed_bracket;
       add_opener(result);
     }
+    return result;
+  }
+
+  // `within room - grow(pit, 10 cm) speed 0.1 m/s`: recoveries know zones by their names.
+  [[nodiscard]] Diagnostic computed_zone() const {
+    const SourceRange& first = tokens_[error_.index - 1].range;
+    const auto ends = [](TokenKind kind) {
+      return kind == T::SPEED || kind == T::ORDER || kind == T::END || ends_clause(kind);
+    };
+    std::size_t last = error_.index;
+    while (!ends(tokens_[last + 1].kind)) ++last;
+    const std::string zone{sources_.text({first.file, first.begin, tokens_[last].range.end})};
+    Diagnostic result =
+        make(Code::unexpected_token, "expected `speed`" + after() + ", found " + found(),
+             "the name of a zone is due");
+    result.help = "recoveries move within a zone that has a name: `zone inner = " + zone +
+                  ";`, `within inner`";
     return result;
   }
 

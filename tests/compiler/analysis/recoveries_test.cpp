@@ -498,6 +498,24 @@ TEST(Recoveries, NameThePlaceWhereControlIsNeverGivenBack) {
   EXPECT_EQ(in("rectangle (8 m, 0 m) to (9 m, 1 m)"), Codes{});
 }
 
+// Of a fleet with a dock each: the one that is not reached has a name.
+TEST(Recoveries, NameTheDockThatNoWayLeadsTo) {
+  const auto at = [](const std::string& second) {
+    std::string text = text_of({"route to home within yard speed 0.3 m/s",
+                                "zone yard = room | rectangle (8 m, 0 m) to (10 m, 2 m);", "20 ms",
+                                "d inside yard"});
+    text = edited(text, "fleet d1 : Drone;", "fleet d1, d2 : Drone;");
+    return without_offers(
+        edited(text, "site  home = (2.5 m, 2.5 m);",
+               "site home(d1) = (2.5 m, 2.5 m);\nsite home(d2) = " + second + ";"));
+  };
+  const auto shared = at("(1 m, 1 m)"), apart = at("(9 m, 1 m)");
+  EXPECT_NE(reports(*shared).find("finds no way to `home(d1)`, where"), std::string::npos)
+      << reports(*shared);
+  EXPECT_NE(reports(*apart).find("finds no way to `home(d2)`, where"), std::string::npos)
+      << reports(*apart);
+}
+
 // ---- ways
 
 ir::Cells cells_of(const std::vector<std::vector<int>>& rows) {

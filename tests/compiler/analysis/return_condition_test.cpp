@@ -93,7 +93,7 @@ TEST(ReturnCondition, TheLargestClearanceIsToldOfAConditionThatHasToLast) {
   const std::string most =
       number_in_help(*plain, Code::return_set_empty, "a clearance of ", "m works");
   const std::string more = std::to_string(std::lround(1000 * std::stod(most)) + 9) + " mm";
-  for (const std::string condition :
+  for (const std::string& condition :
        {"clearance(r, floor) >= " + more + " for 1 s",
         "r.speed <= 1 m/s and clearance(r, floor) >= " + more + " for 1 s"}) {
     const auto c = compiled(fence_returns(condition));

@@ -77,6 +77,17 @@ TEST(Foreign, ClausesOfOtherLanguages) {
 }
 
 // A monitor without a robot is shown one, not a fence.
+TEST(Foreign, RecoveriesKnowZonesByTheirNames) {
+  const std::string back = "spec d;\ncontroller back : safe for Cart = ";
+  expect_help({"", "-", "`zone inner = room - grow(pit, 10 cm);`"},
+              back + "retreat within room - grow(pit, 10 cm) speed 0.1 m/s;");
+  expect_help({"", "&", "`zone inner = room & hall;`, `within inner`"},
+              back + "route to dock within room & hall speed 0.1 m/s;");
+  expect_help({"", "(", "`zone inner = shrink(room, 1 m);`"},
+              back + "loiter within shrink(room, 1 m) speed 0.1 m/s;");
+  expect_help({"", "|", "`zone inner = room | hall;`"}, back + "yield within room | hall;");
+}
+
 TEST(Foreign, ExamplesSuitTheMonitor) {
   expect_help({"", ";", "`always speed <= 1 m/s;`"}, monitor("open or"));
   expect_help({"", ";", "`always r inside room;`"},

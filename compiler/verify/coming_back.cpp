@@ -1,0 +1,362 @@
+// P2b: from everywhere in the zone of a recovery a way leads to where control is given back.
+#include <algorithm>
+
+#include "compiler/analysis/boundless.h"
+#include "compiler/analysis/fences.h"
+#include "compiler/analysis/in_sight.h"
+#include "compiler/analysis/limits.h"
+#include "compiler/analysis/liveness.h"
+#include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/return_set.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/analysis/tables.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+#include "compiler/verify/about_recovery.h"
+#include "compiler/verify/atoms.h"
+
+namespace rtac::verify {
+
+bool is_on_grid(const Subject& s, ir::ZoneIndex zone) {
+  constexpr std::int32_t far_mm = 10'000'000;
+  const auto is_near = [](const geometry::GridPoint& p) {
+    return std::abs(p.x_mm) < far_mm && std::abs(p.y_mm) < far_mm;
+  };
+  const ir::ZoneTable& table = s.module[zone];
+  return !table.has_height() && geometry::is_on_grid(s.exact(zone)) &&
+         std::ranges::all_of(analysis::edges_of(table), is_near, &geometry::EdgeRow::a);
+}
+
+namespace {
+
+// What it needs around its site: in space its hold is carried there, errors and pushes that last
+// keep it as far beside that as it sways, and that is where it has to be given back.
+std::int64_t back_mm(const Subject& s, const ir::Recovery& last) {
+  const bool aside = s.decision.body.in_space && last.kind == ir::RecoveryKind::route;
+  return last.return_clearance_mm + (aside ? s.decision.body.end_reach_mm : 0);
+}
+// "": all of its sites have as much.
+std::string rests_beside_site(const Subject& s, const ir::Recovery& last) {
+  if (!s.decision.body.in_space || last.kind != ir::RecoveryKind::route) return "";
+  const ir::Cells& cells = s.module[last.zone].cells;
+  for (const ir::SiteTable::Place& place : s.module[last.site].places) {
+    const auto column = (place.x_mm - cells.origin_x_mm) / cells.cell_mm;
+    const auto row = (place.y_mm - cells.origin_y_mm) / cells.cell_mm;
+    const auto at = static_cast<std::size_t>(row * cells.columns + column);
+    if (at < cells.clearance_mm_lo.size() && cells.clearance_mm_lo[at] >= back_mm(s, last))
+      continue;
+    return quoted(last.name) + " may come to rest " + metres(s.decision.body.end_reach_mm) +
+           " from " + quoted(s.module[last.site].name) + ", and control is given back there with " +
+           "a clearance of " + metres(back_mm(s, last));
+  }
+  return "";
+}
+
+// Farther from the boundary than its tables are exact they bound distances from below alone: who
+// has enough may be taken for nearer, and is not given back; and a leg is refused that keeps what
+// it has to. A recovery that looks for no more than is exact finds its ways as they are reckoned
+// here.
+std::string cut_short(const Subject& s, const ir::Recovery& last) {
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const auto exact_mm = zone.tree.exact_inside_mm;
+  const std::int64_t needs_mm = std::max(back_mm(s, last), last.route_clearance_mm);
+  if (!exact_mm || *exact_mm >= needs_mm) return "";
+  return "distances to the boundary of " + quoted(zone.name) + " are exact up to " +
+         metres(*exact_mm) + ", and " + quoted(last.name) + " needs " + metres(needs_mm);
+}
+
+// Near the boundary a robot may be seen not to fit, and is led straight then. "": from everywhere.
+std::string led_nowhere(const Subject& s, std::size_t k, const ir::Recovery& last) {
+  const ir::ZoneTable& zone = s.module[last.zone];
+  std::int64_t kept_mm = 0;
+  const ir::Block& property = s.decision.monitors[k].property;
+  for (const auto& either : analysis::surely_in(property, s.decision.facts.params)) {
+    const bool here = either.size() == 1 && either[0].zone == last.zone;
+    if (here) kept_mm = std::max(kept_mm, either[0].mm);
+  }
+  const ir::Cells& cells = zone.cells;
+  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last, kept_mm);
+  if (!at) return "";
+  const auto columns = static_cast<std::size_t>(cells.columns);
+  const auto middle = [&](std::int64_t origin, std::size_t n) {
+    return metres(origin + std::int64_t(n) * cells.cell_mm + cells.cell_mm / 2);
+  };
+  return "near (" + middle(cells.origin_x_mm, *at % columns) + ", " +
+         middle(cells.origin_y_mm, *at / columns) + ") in " + quoted(zone.name) +
+         " the robot may be seen to be outside, by its error of " +
+         metres(s.decision.body.position_error_mm) +
+         ", and no leg in sight leads to where it is seen to fit";
+}
+
+// Whether a robot fits into the zone at that place.
+bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part) {
+  const Rational radius(static_cast<long>(s.decision.body.radius_mm), 1000);
+  const geometry::Point at{analysis::metres_of(part.x_mm), analysis::metres_of(part.y_mm)};
+  const geometry::Region& region = s.exact(zone);
+  return region.contains(at) && square_to(region.rings(), at) >= radius * radius;
+}
+
+// Where no cell is clearly clearer than what is asked for the recheck does not find the way. "":
+// one is, or all corners are on the grid, where it knows clearances to the millimetre.
+std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const std::int64_t room_mm = analysis::room_mm(s.decision, last, zone);
+  if (!ir::goes_back(last.kind) || is_on_grid(s, last.zone)) return "";
+  if (room_mm >= last.return_clearance_mm + analysis::recheck_misses_mm) return "";
+  return "no cell of " + quoted(zone.name) + " has more than " + metres(room_mm) +
+         " of clearance, and to be seen by the recheck it takes " +
+         metres(last.return_clearance_mm + analysis::recheck_misses_mm);
+}
+
+// Why ways over cells may not be those that the recovery takes, and what helps; "": they are.
+struct Doubt {
+  std::string why;
+  const char* repair = "";
+};
+Doubt doubt_of_ways(const Subject& s, std::size_t k, const ir::Recovery& last) {
+  if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
+  if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
+  if (std::string cut = cut_short(s, last); !cut.empty()) {
+    return {std::move(cut), "fewer vertices work, or less clearance that is asked for"};
+  }
+  if (std::string outside = led_nowhere(s, k, last); !outside.empty()) {
+    return {std::move(outside), "a wider passage works, or less of an error"};
+  }
+  return {on_the_rim(s, last)};
+}
+
+Obligation without_end(const ir::ZoneTable& zone, Obligation o) {
+  o.status = Status::unknown;
+  o.because = analysis::name_as_written(zone) + " has no end, and a grid over all of it cells of " +
+              metres(zone.cells.cell_mm) + ", which say nothing of ways around what bounds it";
+  o.repair = "a recovery within a zone with an end";
+  return o;
+}
+
+// A way from everywhere in the zone to where control is given back, as `liveness` finds them.
+Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Recovery& recovery = s.decision.monitors[k].recovery;
+  const ir::Recovery& last = ir::last_step(recovery);
+  const ir::ZoneTable& zone = s.module[last.zone];
+  o.method = "ways over cells";
+  if (analysis::is_boundless(zone)) return without_end(zone, std::move(o));
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
+  if (!ways.stranded.empty()) {
+    // rather one that has been looked at; of others a run may show as much
+    const auto shut = analysis::shut_off(zone.cells, last, ways);
+    const analysis::Stranded& part = shut.empty() ? ways.stranded.front() : shut.front();
+    // where cells are too coarse for a way, the recovery may find one; and where they are so coarse
+    // that nobody fits in the middle of one, no run begins there
+    const bool fits = holds_body(s, last.zone, part);
+    o.status = fits ? Status::refuted : Status::unknown;
+    o.by_a_run = fits;
+    if (fits) o.place_mm = {part.x_mm, part.y_mm};
+    o.because =
+        "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +
+        (shut.empty() ? " no way over its cells has been found to where control is given back"
+                      : " no way over its cells leads to where control is given back");
+    if (!fits) return o;
+    // the part may be wide itself, and what leads out of it narrow
+    if (part.clearance_mm < last.return_clearance_mm + zone.cells.cell_mm) {
+      o.because += ": it is about " + metres(2 * part.clearance_mm) + " wide there, as cells of " +
+                   metres(zone.cells.cell_mm) + " tell, and control returns " +
+                   metres(last.return_clearance_mm) + " from the boundary";
+    }
+    return o;
+  }
+  if (Doubt doubt = doubt_of_ways(s, k, last); !doubt.why.empty()) {
+    o.status = Status::unknown;
+    o.because = std::move(doubt.why);
+    o.repair = doubt.repair;
+    return o;
+  }
+  const auto bound = analysis::return_seconds(s.kind, s.module, s.decision, recovery);
+  // a property of places may have its robot elsewhere when it engages
+  const ir::Monitor& m = s.decision.monitors[k];
+  const std::vector<ir::ZoneIndex> fences =
+      analysis::sure_fences(m.property, s.decision.facts.params);
+  const bool begins_inside =
+      !atoms_of(m.property).clearance || std::ranges::find(fences, last.zone) != fences.end();
+  o.status = Status::proved;
+  o.because = "from everywhere in " + quoted(zone.name) + " a way leads to a clearance of " +
+              metres(back_mm(s, last)) +
+              (bound ? ", within " + seconds(*bound) +
+                           (atoms_of(s.decision.monitors[k].property).energy
+                                ? ", and what it takes to charge"
+                            : begins_inside ? " in all"
+                                            : " from there")
+                     : ", along cells that it enters once each");
+  Claim claim = with_cells({"ways",
+                            {{"decision", s.decision.name},
+                             {"monitor", o.monitor},
+                             {"zone", zone.name},
+                             {"route_mm", std::to_string(last.route_clearance_mm)},
+                             {"extra_us", std::to_string(s.decision.return_extra_us)},
+                             {"return_mm", std::to_string(back_mm(s, last))}}},
+                           zone);
+  if (zone.tree.exact_inside_mm) {
+    claim.values["exact_mm"] = std::to_string(*zone.tree.exact_inside_mm);
+  }
+  o.claims.push_back(std::move(claim));
+  o.claims.push_back(lemma_claim("return_reached"));
+  return o;
+}
+
+// What is only too high has control given back on the way down, at the latest where it ends.
+Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const std::int64_t end_mm = ir::last_step(m.recovery).land_mm;
+  const std::int64_t gap_mm =
+      analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + s.decision.body.hold_mm;
+  std::optional<std::int64_t> most_mm;
+  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+    const auto most = ir::upper_bound(block, c);
+    if (!most || most->leaf.kind != ir::Leaf::Kind::altitude) return;
+    most_mm = std::min(most_mm.value_or(most->most), most->most);
+  });
+  const bool lowers = analysis::asks_of(m.property, s.decision.facts.params).only_lower;
+  if (!lowers || !most_mm || m.return_when || end_mm + gap_mm > *most_mm) {
+    o.status = Status::unknown;
+    o.method = "no proof";
+    o.because = "nothing shows that control is given back where " + quoted(m.recovery.name) +
+                " ends, at " + metres(end_mm);
+    return o;
+  }
+  o.status = Status::proved;
+  o.method = "closed form";
+  o.because = quoted(m.recovery.name) + " ends at " + metres(end_mm) + ", " +
+              metres(*most_mm - end_mm) + " below the limit, and " + metres(gap_mm) + " are enough";
+  o.claims.push_back({"landing",
+                      {{"decision", s.decision.name},
+                       {"monitor", m.name},
+                       {"land_mm", std::to_string(end_mm)},
+                       {"extra_us", std::to_string(s.decision.return_extra_us)},
+                       {"gap_mm", std::to_string(gap_mm)}}});
+  o.claims.push_back(recovery_claim(s, k));
+  return o;
+}
+
+// Another recovery may drive instead, which leads on from where that of monitor `k` leads no
+// further.
+bool may_be_led_on(const ir::Decision& d, std::size_t k) {
+  const std::size_t many = d.coordinated ? d.monitors.size() : k;
+  return std::any_of(d.monitors.begin(), d.monitors.begin() + std::ptrdiff_t(many),
+                     [&](const ir::Monitor& m) {
+                       return m.recovery.name != d.monitors[k].recovery.name &&
+                              ir::last_step(m.recovery).kind != ir::RecoveryKind::brake;
+                     });
+}
+
+// A monitor that asks for more than its property, to let go.
+Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  if (o.status != Status::proved || !m.return_when) return o;
+  if (m.returns.how == ir::Returns::How::itself) return o;
+  if (m.returns.how == ir::Returns::How::told) {
+    o.because += "; its return condition waits for inputs";
+    return o;
+  }
+  Obligation open = blank(s, k, Kind::p2b);
+  open.method = "no proof";
+  open.because = "that `return when` of " + quoted(m.name) + " holds where " +
+                 quoted(m.recovery.name) + " leads is not shown";
+  open.repair = "a condition on what it leads to works, or `hold when violated \"why\"`";
+  if (m.returns.shown_mmps) {
+    const std::string mmps = to_decimal(Rational(*m.returns.shown_mmps, 1000)) + " m/s";
+    open.because += ": samples may show a robot at rest at up to " + mmps;
+    open.repair = "a limit of " + mmps + " in `return when` works, or `hold when violated \"why\"`";
+  }
+  if (m.returns.stuck_mm) {
+    open.status = Status::refuted;
+    open.method = by_geometry;
+    open.place_mm = m.returns.stuck_mm;
+    // the condition may hold on the way to the site
+    const bool routes = ir::last_step(m.recovery).kind == ir::RecoveryKind::route;
+    open.by_a_run = routes || may_be_led_on(s.decision, k);
+    open.because = "at rest at (" + metres(open.place_mm->first) + ", " +
+                   metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +
+                   " leads no further, and `return when` of " + quoted(m.name) +
+                   " does not hold there";
+    open.repair = routes ? "a site within what it asks for works"
+                         : "a recovery within what it asks for works";
+  }
+  return open;
+}
+
+// Ways over cells lead nowhere up or down.
+bool asks_of_heights(const Subject& s, std::size_t k, const Atoms& atoms) {
+  const auto fences = analysis::fences_of(s.decision.monitors[k].property, s.decision.facts.params);
+  return atoms.altitude || std::ranges::any_of(fences, [&](ir::ZoneIndex fence) {
+           return s.module[fence].has_height();
+         });
+}
+Obligation keeps_its_height(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because = quoted(m.recovery.name) + " keeps its height, and that " + quoted(m.name) +
+              " gives control back there is not shown";
+  return o;
+}
+
+Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
+  const Atoms atoms = atoms_of(m.property);
+  const bool rests =
+      last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && atoms.only_speed());
+  if (atoms.only_facts() || rests) {
+    o.status = Status::proved;
+    o.method = "closed form";
+    o.because = atoms.only_facts()
+                    ? "a robot at rest keeps its place until the inputs let it go on"
+                    : "at rest the robot is as slow as every limit of " + quoted(m.name);
+    o.claims.push_back(limits_claim(s));
+    o.claims.push_back(recovery_claim(s, k));
+    return atoms.only_speed() ? returned_at_rest(s, k, std::move(o)) : o;
+  }
+  if (std::string behind = falls_behind(s, m.recovery); !behind.empty()) {
+    return doubted(std::move(o), std::move(behind));
+  }
+  if (ir::moves(last) && last != ir::RecoveryKind::yield) {
+    const bool legs = s.decision.body.in_space && last != ir::RecoveryKind::route;
+    Obligation ways = legs                           ? legs_back(s, k)
+                      : asks_of_heights(s, k, atoms) ? keeps_its_height(s, k, std::move(o))
+                                                     : ways_back(s, k, std::move(o));
+    if (ways.status != Status::proved) {
+      // wherever ways lead, some of them may end where nothing more happens
+      Obligation rest = returned_at_rest(s, k, ways);
+      const bool ends = rest.status == Status::refuted && rest.method == by_geometry;
+      return ends && !rest.by_a_run ? rest : ways;
+    }
+    if (s.decision.robots > 1 || s.decision.open_fleet) {
+      ways.because += ", as soon as no other robot stands in its way";
+    }
+    return returned_at_rest(s, k, std::move(ways));
+  }
+  if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
+  if (last == ir::RecoveryKind::yield) return makes_room(s, k, std::move(o));
+  o.status = Status::unknown;
+  o.method = "no proof";
+  o.because = "nothing is claimed of where " + quoted(m.recovery.name) + " leads";
+  o.repair = "a template that leads back, or `hold when violated \"why\"`";
+  return o;
+}
+
+}  // namespace
+
+Obligation control_returns(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Obligation o = blank(s, k, Kind::p2b);
+  if (!m.hold_reason.empty()) return acknowledged(std::move(o), m.hold_reason);
+  o = unless_accepted(s, k, Kind::p2b, [&] {
+    return by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b)));
+  });
+  o.patience_s = analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
+  if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
+    o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full
+  }
+  return o;
+}
+
+}  // namespace rtac::verify
