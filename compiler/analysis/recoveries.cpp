@@ -381,8 +381,10 @@ class Recoveries {
     // of what is only tried, all has to be looked at
     const std::vector<Stranded> parts =
         trials_ != nullptr ? shut_off(module_[last.zone].cells, last, ways) : ways.stranded;
-    // a few cells that no way leads from may be all that is seen of a passage that is too narrow
-    if (parts.empty() || parts.front().cells < stranded_cells_least) return too_narrow(last);
+    // a few cells that no way leads from may be all that is seen of a passage that is too narrow; of
+    // what is offered none may be left, or P2b of it is not proved
+    const std::int64_t told = trials_ != nullptr ? stranded_cells_least : 1;
+    if (parts.empty() || parts.front().cells < told) return too_narrow(last);
     const Stranded& part = parts.front();
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t cell_mm = zone.cells.cell_mm;
@@ -397,7 +399,6 @@ class Recoveries {
              square_metres(Rational(part.cells * cell_mm * cell_mm, 1'000'000)) +
              (parts.size() > 1 ? ", and there are " + std::to_string(parts.size() - 1) + " more"
                                : "")});
-    // of what is offered not one cell may be left, or P2b of it is not proved
     const auto leads = [](const Ways& of_it) { return of_it.stranded.empty(); };
     const auto over_cells = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
       return leads(ways_over(cells, module_, decision_, last));
