@@ -14,6 +14,7 @@ using diag::Code;
 using test::compiled;
 using test::edited;
 using test::has;
+using test::number_in_help;
 using test::reports;
 using test::without_offers;
 
@@ -496,6 +497,27 @@ TEST(Recoveries, NameThePlaceWhereControlIsNeverGivenBack) {
   EXPECT_EQ(in("rectangle (5 m, 2 m) to (9 m, 2.5 m)"), Codes{5021});
   EXPECT_EQ(in("rectangle (5 m, 2 m) to (9 m, 3 m)"), Codes{});
   EXPECT_EQ(in("rectangle (8 m, 0 m) to (9 m, 1 m)"), Codes{});
+}
+
+// Cells at a tip that are too few to be told of would leave P2b of what is offered unknown.
+TEST(Recoveries, WhatIsOfferedToAPlaceWithoutAWayLeavesNoCellOfIt) {
+  const auto page = [](const std::string& zone) {
+    Text t{"retreat within yard speed 0.3 m/s",
+           "zone shed = polygon [(7 m, 0 m), (8 m, 0.2 m), (7.4 m, 0.7 m)];\n"
+           "zone plain = room | shed;\nzone yard = " +
+               zone + ";"};
+    t.property = "d inside yard";
+    return text_of(t);
+  };
+  const auto c = compiled(page("room | shed"));
+  ASSERT_TRUE(has(*c, Code::no_way_back)) << reports(*c);
+  const long mm =
+      std::lround(1000 * std::stod(number_in_help(*c, Code::no_way_back, "`grow(yard, ", "m)`")));
+  const auto grown = [&](long by_mm) {  // which tells of each cell
+    return without_offers(page("grow(plain, " + std::to_string(by_mm) + " mm)"));
+  };
+  EXPECT_FALSE(has(*grown(mm), Code::no_way_back)) << reports(*grown(mm));
+  EXPECT_TRUE(has(*grown(mm * 95 / 100), Code::no_way_back)) << mm;
 }
 
 // Of a fleet with a dock each: the one that is not reached has a name.
