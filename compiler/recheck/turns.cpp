@@ -4,6 +4,7 @@
 #include <array>
 #include <variant>
 
+#include "compiler/recheck/at_worst.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
 #include "compiler/recheck/sides.h"
@@ -62,15 +63,8 @@ class Turns {
   bool settles(std::size_t i, std::size_t j) {
     const sema::Expr& says = *monitor(j).always;
     if (Sides(spec_, d_, claims_).holds_at_rest(monitor(j), extra())) return true;
-    const auto zones = all_zones(says);
-    bool other = false;
-    sema::for_each_expr(says, [&](const sema::Expr& e) {
-      other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
-              ((!zones.empty() || is_height(e)) && is_choice(e) && sema::speaks_of_robot(e));
-    });
-    if (other) return false;
-    return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
-      return leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone));
+    return std::ranges::all_of(sides_of_and(says), [&](const sema::Expr* part) {
+      return speaks_of_windows(*part) ? ends_clear(i, j, *part) : settles(i, j, *part);
     });
   }
 
@@ -134,6 +128,43 @@ class Turns {
   static bool is_height(const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
     return signal != nullptr && signal->signal == sema::Signal::altitude;
+  }
+  // All that has to hold; of what speaks of no zone that comes and goes, the whole.
+  static std::vector<const sema::Expr*> sides_of_and(const sema::Expr& e) {
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    const bool all = logic != nullptr && logic->op == sema::LogicOp::logical_and;
+    if (!all || !speaks_of_windows(e)) return {&e};
+    std::vector<const sema::Expr*> sides;
+    for (const sema::ExprPtr& each : logic->operands) {
+      for (const sema::Expr* side : sides_of_and(*each)) sides.push_back(side);
+    }
+    return sides;
+  }
+  bool settles(std::size_t i, std::size_t j, const sema::Expr& says) {
+    const auto zones = all_zones(says);
+    bool other = false;
+    sema::for_each_expr(says, [&](const sema::Expr& e) {
+      other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
+              ((!zones.empty() || is_height(e)) && is_choice(e) && sema::speaks_of_robot(e));
+    });
+    if (other) return false;
+    return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
+      return leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone));
+    });
+  }
+  // The same way leads on to its sites, and each of them is as clear as control returns at with all
+  // zones at their worst.
+  bool ends_clear(std::size_t i, std::size_t j, const sema::Expr& says) {
+    const auto way = sema::route_of(recovery(j));
+    if (monitor(i).recover != monitor(j).recover || !way || way_back(j) == nullptr) return false;
+    if (!keeps(i, j)) return false;
+    const AtWorst worst = at_worst(spec_, says);
+    if (worst.kind != AtWorst::Kind::limit) return worst.kind == AtWorst::Kind::holds;
+    const Rational far = claims_.return_clearance(d_, monitor(j), extra()) + worst.limit->gap;
+    return std::ranges::all_of(spec_[way->site].places, [&](const auto& place) {
+      return claims_.zones().clear(worst.limit->zone, {place.position.x, place.position.y},
+                                   without_excess(far));
+    });
   }
   // How much further ahead it looks for control to return.
   [[nodiscard]] Rational extra() const { return return_extra(spec_, d_); }

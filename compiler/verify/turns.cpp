@@ -8,6 +8,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -96,11 +97,19 @@ bool lead_the_same_way(const ir::Recovery& a, const ir::Recovery& b) {
          a.route_clearance_mm == b.route_clearance_mm;
 }
 
+// What becomes of a monitor when another one lets its recovery go.
+struct LedOn {
+  bool by_its_own;  // it has the same one
+  bool as_before;   // or one that leads the same way, and neither takes over from the other
+  bool kept;        // the recovery keeps what it says
+};
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
 // for the zones of j, which hold that one, as is what its own monitor has when it lets go, unless
 // it is then led on as before: by the same recovery, or by one that neither takes over from it.
-bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, bool led_on,
+// Zones that come and go make no difference at the site that its own route leads on to (5030).
+bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, const LedOn& led_on,
              std::size_t i, std::size_t j) {
   if (i == j) return true;
   const ir::Monitor& m = s.decision.monitors[j];
@@ -112,6 +121,10 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, bool 
   const ir::Recovery& last = ir::last_step(s.decision.monitors[i].recovery);
   if (!ir::goes_back(last.kind) && last.kind != ir::RecoveryKind::route) return false;
   if (!leads || (atoms.altitude && !keeps_heights(s, last, m))) return false;
+  if (analysis::has_windows(m.property)) {
+    return led_on.by_its_own && led_on.kept && last.kind == ir::RecoveryKind::route &&
+           control_returns(s, j).status == Status::proved;
+  }
   return std::all_of(m.property.values.begin(), m.property.values.end(),
                      [](const ir::Value& v) {
                        return !std::holds_alternative<ir::ZoneThere>(v.op) &&
@@ -122,7 +135,7 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, bool 
            const auto zones = analysis::fences_of(m.property, s.decision.facts.params);
            if (std::find(zones.begin(), zones.end(), need.zone) == zones.end()) return true;
            return leaves(s, last.zone, last.return_clearance_mm, need) &&
-                  (led_on || has_early(s, s.decision.monitors[i], need));
+                  (led_on.as_before || has_early(s, s.decision.monitors[i], need));
          });
 }
 
@@ -280,8 +293,9 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
     const ir::Recovery& leading = s.decision.monitors[i].recovery;
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       const ir::Recovery& next = s.decision.monitors[j].recovery;
-      const bool led_on = leading.name == next.name || (lead_the_same_way(leading, next) &&
-                                                        known.keeps[i][j] && known.keeps[j][i]);
+      const bool own = leading.name == next.name;
+      const bool alike = lead_the_same_way(leading, next) && known.keeps[i][j] && known.keeps[j][i];
+      const LedOn led_on{own, own || alike, known.keeps[i][j]};
       known.settles.back().push_back(settles(s, needs, leads, led_on, i, j));
     }
   }

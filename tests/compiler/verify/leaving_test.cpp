@@ -140,6 +140,27 @@ TEST_F(Leaving, OnWheelsIsProved) {
   prove(beside);
 }
 
+// Who is let go on its way is led on to the site, where it does not matter what comes or goes.
+TEST_F(Leaving, OneWayForSeveralMonitorsIsProved) {
+  Hall hall;
+  hall.back = "go_home";
+  hall.robot += R"(
+  sense    battery  : ratio error 1 % max_age 2 s;
+  energy   { drive <= 0.15 %/m; idle <= 0.01 %/s; drain <= 0.3 %/s; charge >= 0.4 %/s at home; held <= 60 s; detour <= 5 m; }
+)";
+  hall.walls += R"(; recover go_home; }
+monitor charge for r : Rover { "SR-3: home" always r.battery >= energy_to(home) + 5 %)";
+  hall.priority = "quiet > walls > charge";
+  const Outcome o = verified(text_of(hall), {"-o", "certificates"});
+  ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(rechecked().status, exit_clean);
+  // another recovery may end where it matters
+  const Outcome other = verified(edited(text_of(hall), "in\" always r inside room; recover go_home",
+                                        "in\" always r inside room; recover back_off"),
+                                 {"--attack", "1", "--format", "json"});
+  EXPECT_EQ(statuses(other.out, "switching", ""), Statuses{"unknown"}) << other.out;
+}
+
 // Whose recovery is another one is taken over from.
 TEST_F(Leaving, OfOthersIsAMatterOfPriority) {
   for (const std::string back : {"back_off", "stop"}) {
