@@ -279,7 +279,7 @@ class Pair {
     entry_.why = "from outside of " + name_as_written(module_[step.zone]) + " " +
                  quoted(recovery_.name) + " makes straight for it, and may leave " + name +
                  " on its way, which is not convex";
-    entry_.help.clear();
+    entry_.help = begins_inside(module_[step.zone]);
     offer_within(step.zone, fence);
     return false;
   }
@@ -291,7 +291,7 @@ class Pair {
       entry_.why = "from outside of " + name_as_written(module_[step->zone]) + " " +
                    quoted(recovery_.name) + " makes straight for it, and may leave each side of " +
                    quoted(judged_.name) + " on its way";
-      entry_.help.clear();
+      entry_.help = begins_inside(module_[step->zone]);
       return false;
     }
     return true;
@@ -473,6 +473,7 @@ class Pair {
     entry_.why = "from outside of " + name_as_written(module_[last.zone]) + " " +
                  quoted(recovery_.name) +
                  " makes straight for it, and nothing bounds how much charge that takes";
+    entry_.help = begins_inside(module_[last.zone]);
     return false;
   }
   // It takes charge wherever it ends, which need not be where that is taken up.

@@ -101,6 +101,10 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
   return fits_all(at, zone, centres_where_held(at, held), 0);
 }
 
+std::string begins_inside(const ir::ZoneTable& zone) {
+  return "a monitor that keeps robots inside " + name_as_written(zone) + " works";
+}
+
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step) {
   if (!ir::goes_back(step.kind)) return step.route_clearance_mm;
   return goals_mm(decision, step).back();

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct TakeOver {
 // Whether each body that may be there lies in the zone: from nowhere has it to be led in. false
 // also where that is not known: an outline of very many vertices is not offset.
 bool starts_within(const TakeOver& at, ir::ZoneIndex zone);
+
+// What makes it so.
+std::string begins_inside(const ir::ZoneTable& zone);
 
 // The clearance that a recovery of the plane looks for first, of cells.
 std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step);

@@ -69,10 +69,11 @@ std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
   return "";
 }
 
-Obligation doubted(Obligation o, std::string why) {
+Obligation doubted(Obligation o, Doubt doubt) {
   o.status = Status::unknown;
   o.method = "no proof";
-  o.because = std::move(why);
+  o.because = std::move(doubt.why);
+  o.repair = std::move(doubt.repair);
   o.claims.clear();
   return o;
 }

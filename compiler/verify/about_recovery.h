@@ -11,7 +11,7 @@ namespace rtac::verify {
 
 Obligation blank(const Subject& s, std::size_t k, Kind kind);
 // Unknown, without a claim.
-Obligation doubted(Obligation o, std::string why);
+Obligation doubted(Obligation o, Doubt doubt);
 Obligation acknowledged(Obligation o, std::string why);
 
 // Why it is accepted that a recovery breaks what a monitor says; "": it is not.

@@ -108,11 +108,7 @@ std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
          metres(last.return_clearance_mm + analysis::recheck_misses_mm);
 }
 
-// Why ways over cells may not be those that the recovery takes, and what helps; "": they are.
-struct Doubt {
-  std::string why;
-  const char* repair = "";
-};
+// Why ways over cells may not be those that the recovery takes.
 Doubt doubt_of_ways(const Subject& s, std::size_t k, const ir::Recovery& last) {
   if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
   if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
@@ -316,7 +312,7 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     return atoms.only_speed() ? returned_at_rest(s, k, std::move(o)) : o;
   }
   if (std::string behind = falls_behind(s, m.recovery); !behind.empty()) {
-    return doubted(std::move(o), std::move(behind));
+    return doubted(std::move(o), {std::move(behind)});
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
     const bool legs = s.decision.body.in_space && last != ir::RecoveryKind::route;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/straight_in.h"
@@ -23,6 +24,11 @@ namespace rtac::verify {
 struct Need {
   ir::ZoneIndex zone;
   std::int64_t clearance_mm;
+};
+
+// Why something is not shown, and what works; without a reason it is shown.
+struct Doubt {
+  std::string why{}, repair{};
 };
 
 // What all proofs of a decision speak of.

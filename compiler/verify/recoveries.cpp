@@ -49,16 +49,16 @@ std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t 
 }
 
 // Why it is not shown that the recovery of one monitor keeps the property of another one, or its
-// own; "": it is.
-std::string doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
+// own.
+Doubt doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const ir::Block& property = s.decision.monitors[judged].property;
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
-  if (std::string behind = falls_behind(s, recovery); !behind.empty()) return behind;
-  if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return windows;
-  if (!moves_within_zones(recovery)) return "";
+  if (std::string behind = falls_behind(s, recovery); !behind.empty()) return {behind};
+  if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return {windows};
+  if (!moves_within_zones(recovery)) return {};
   const Atoms atoms = atoms_of(property);
   if (atoms.charge || atoms.energy) {
-    if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return off;
+    if (std::string off = off_its_dock(s, ir::last_step(recovery)); !off.empty()) return {off};
   }
   return doubt_of_zones(s, k, judged);
 }
@@ -96,7 +96,7 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
                   "stays as it is";
     }
   }
-  if (std::string doubt = doubt_about(s, k, k); !doubt.empty()) {
+  if (Doubt doubt = doubt_about(s, k, k); !doubt.why.empty()) {
     return doubted(std::move(o), std::move(doubt));
   }
   o = as_long_as_declared(s, k, m, std::move(o));
@@ -145,7 +145,7 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
     o.because += ", whose recovery it is, too: whoever comes near finds a robot that stands";
     return o;
   }
-  o = doubted(std::move(o), itself);
+  o = doubted(std::move(o), {itself});
   o.repair = acknowledging(i.recovery.name, j.name);
   return o;
 }
@@ -317,15 +317,15 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
         {"coordinated", {{"decision", s.decision.name}, {"driving", i.name}, {"judged", j.name}}});
     return o;
   }
-  std::string doubt = doubt_about(s, driving, judged);
+  Doubt doubt = doubt_about(s, driving, judged);
   const bool is_too_fast = !slow_enough(s, driving, judged);
   if (is_too_fast) {
     const Rational fastest(analysis::fastest_while_driving(s.decision, driving), 1000);
-    doubt = quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
-            quoted(j.name) + " allows less";
+    doubt = {quoted(i.recovery.name) + " drives at up to " + to_decimal(fastest) + " m/s, and " +
+             quoted(j.name) + " allows less"};
   }
-  if (!doubt.empty() && !why.empty()) return acknowledged(std::move(o), why);
-  if (!doubt.empty()) {
+  if (!doubt.why.empty() && !why.empty()) return acknowledged(std::move(o), why);
+  if (!doubt.why.empty()) {
     o = doubted(std::move(o), std::move(doubt));
     if (!is_too_fast || !s.is_read) return o;  // nobody looks for a run
     o.status = Status::refuted;

@@ -114,26 +114,27 @@ bool keeps_level(const Subject& s, const ir::Recovery& step, const analysis::Sta
   return !step.claims && analysis::lies_level(s.module, s.exact, s.solid, step.zone, outer);
 }
 // Of one step and one zone that the property asks for.
-std::string doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
-                          const ir::Monitor& driving, const ir::Recovery& step,
-                          const analysis::Standoff& outer) {
-  if (step.zone == outer.zone && !step.claims) return "";
+Doubt doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
+                    const ir::Monitor& driving, const ir::Recovery& step,
+                    const analysis::Standoff& outer) {
+  if (step.zone == outer.zone && !step.claims) return {};
   const std::string name = quoted(s.module[step.zone].name);
   const std::string outer_name = analysis::name_as_written(s.module[outer.zone]);
   const ir::Monitor& judged = take_over.decision.monitors[take_over.judged];
   if (!keeps_level(s, step, {outer.zone, 0}) && !lies_in(s, step.zone, outer.zone)) {
-    return has_choice(judged.property)
-               ? "a way from one zone of the `or` to another is not shown to stay in one of them"
-               : name + " does not lie in " + outer_name;
+    return {has_choice(judged.property)
+                ? "a way from one zone of the `or` to another is not shown to stay in one of them"
+                : name + " does not lie in " + outer_name};
   }
   if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, judged, step, outer)) {
-    return "places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
-           outer_name;
+    return {"places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
+            outer_name};
   }
-  if (step.claims) return "";
-  if (analysis::comes_in_within(take_over, step, outer.zone)) return "";
-  return "from outside of " + name + " it makes straight for it, and is not shown to stay in " +
-         outer_name + " on its way, which is not convex";
+  if (step.claims) return {};
+  if (analysis::comes_in_within(take_over, step, outer.zone)) return {};
+  return {"from outside of " + name + " it makes straight for it, and is not shown to stay in " +
+              outer_name + " on its way, which is not convex",
+          analysis::begins_inside(s.module[step.zone])};
 }
 
 }  // namespace
@@ -185,23 +186,24 @@ void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
   }
 }
 
-std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) {
+Doubt doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) {
   const Keeping asked = keeping_of(s, k, s.decision.monitors[judged].property);
-  if (asked.received) return "where the zone that is received will be is not known";
+  if (asked.received) return {"where the zone that is received will be is not known"};
   const analysis::ExactSolid solid = any_solid(s);
   const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged, s.known.get()};
   const ir::Monitor& driving = s.decision.monitors[k];
   for (const ir::Recovery* step : leading_steps(s, driving, s.decision.monitors[judged])) {
     for (const analysis::Standoff& outer : asked.zones) {
-      std::string doubt = doubt_of_step(s, take_over, driving, *step, outer);
-      if (!doubt.empty()) return doubt;
+      Doubt doubt = doubt_of_step(s, take_over, driving, *step, outer);
+      if (!doubt.why.empty()) return doubt;
     }
     if (ir::moves(step->kind) && !analysis::comes_in_by_sides(take_over, *step, asked.either)) {
-      return "from outside of " + quoted(s.module[step->zone].name) +
-             " it makes straight for it, and is not shown to stay in one zone of the `or`";
+      return {"from outside of " + quoted(s.module[step->zone].name) +
+                  " it makes straight for it, and is not shown to stay in one zone of the `or`",
+              analysis::begins_inside(s.module[step->zone])};
     }
   }
-  return "";
+  return {};
 }
 
 }  // namespace rtac::verify

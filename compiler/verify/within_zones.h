@@ -16,7 +16,7 @@ bool moves_within_zones(const ir::Recovery& recovery);
 void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
                  std::vector<Claim>& claims);
 
-// Why that is not shown; "": it is.
-std::string doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged);
+// Why that is not shown.
+Doubt doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged);
 
 }  // namespace rtac::verify

@@ -324,6 +324,42 @@ decision go for Rover { advanced pilot; period 20 ms; priority m; }
   expect_denied(nearer, "lead across what is not convex");
 }
 
+// Around what is kept off, the zone of the ways leaves a wider margin: who is in that makes
+// straight for the zone. What is told to work does.
+TEST_F(ComingIn, WhoBeginsInsideHasNoStraightWay) {
+  const auto page = [](const std::string& fence) {
+    return R"(spec pit;
+zone room = rectangle (0 m, 0 m) to (12 m, 9 m);
+zone pit  = rectangle (8 m, 5 m) to (9 m, 6 m);
+zone free = room - grow(pit, 30 cm);
+robot Cart {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point   error 2 cm    max_age 50 ms;
+  sense    velocity : vector  error 2 cm/s  max_age 50 ms;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet one : Cart;
+site dock = (3 m, 3 m);
+controller pilot : advanced for Cart extern;
+controller home  : safe for Cart = route to dock within free speed 0.3 m/s;
+monitor walls for r : Cart { "SR-1" always r inside )" +
+           fence + R"(; recover home; }
+monitor deep  for r : Cart { "SR-2" always distance(r, pit) >= 10 cm; recover home; }
+decision go for Cart { advanced pilot; period 50 ms; priority walls > deep; }
+)";
+  };
+  const Outcome o = verified(page("room"), {"--attack", "1"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_NE(o.out.find("what works: a monitor that keeps robots inside `free` works\n"),
+            std::string::npos)
+      << o.out;
+  const Outcome inside = verified(page("free"), {"-o", "certificates"});
+  EXPECT_EQ(inside.status, exit_clean) << inside.out << inside.err;
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+}
+
 TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
   for (const char* const by : {"42 cm", "50 cm", "1 m"}) {
     const Json report = report_of(off_a_pond("room - grow(pond, " + std::string(by) + ")"));

@@ -123,6 +123,8 @@ TEST_F(Lasting, WhatBeginsOutsideOfTheZoneKeepsNoCharge) {
                        "how much charge that takes"),
             std::string::npos)
       << o.out;
+  EXPECT_NE(o.out.find("a monitor that keeps robots inside `yard` works"), std::string::npos)
+      << o.out;
 }
 
 // What circles drives on while a condition of return needs its time, and so does an earlier step of
