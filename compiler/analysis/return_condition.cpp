@@ -154,7 +154,8 @@ class Judge {
     if (const auto* v = std::get_if<ir::And>(&op)) {
       Finding a = side(v->a);
       if (!a) a = side(v->b);
-      return a || part.may_be_over ? a : excluded(block, id);
+      // both sides are of the same tick, whenever that was
+      return a ? a : excluded(block, id);
     }
     if (const auto* v = std::get_if<ir::Or>(&op)) {
       Finding a = side(v->a);
@@ -174,8 +175,11 @@ class Judge {
       if (bound->leaf.kind == Leaf::Kind::clearance) {
         return clearance(ir::ZoneIndex(bound->leaf.table), bound->need.strictest, strict, source);
       }
-      if (bound->leaf.kind == Leaf::Kind::distance)
+      if (bound->leaf.kind == Leaf::Kind::distance) {
+        // robots may have been put anywhere
+        if (part.may_be_over) return std::nullopt;
         return far_apart(bound->need.strictest, strict, source);
+      }
       if (bound->leaf.kind == Leaf::Kind::battery) {
         return charge(bound->need.strictest, shown_full_ppm(decision_.body), strict, "", source);
       }

@@ -61,6 +61,10 @@ class Met {
       found_.after_us += v->ticks * decision_.period_us;
       return of(block, v->a);
     }
+    if (const auto* v = std::get_if<ir::Previously>(&op)) {
+      found_.after_us += decision_.period_us;
+      return of(block, v->a);
+    }
     if (const auto* v = std::get_if<ir::Truth>(&op)) {
       return {v->value ? How::itself : How::open};
     }

@@ -137,18 +137,13 @@ class Reader {
   [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
     const Number a = number(*v.left), b = number(*v.right);
     if (!a || !b) return from(suits);
-    switch (v.op) {
-      case sema::CompareOp::less:
-        return ordered(*a, *b, true);
-      case sema::CompareOp::less_equal:
-        return ordered(*a, *b, false);
-      case sema::CompareOp::greater:
-        return ordered(*b, *a, true);
-      case sema::CompareOp::greater_equal:
-        return ordered(*b, *a, false);
-    }
-    return Truth3::open;
+    const bool strictly = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
+    const bool is_least = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
+    const Truth3 found = is_least ? ordered(*a, *b, strictly) : ordered(*b, *a, strictly);
+    // how old it is, within what is declared, is as it suits
+    return found == Truth3::open && (is_age(*v.left) || is_age(*v.right)) ? from(suits) : found;
   }
+  static bool is_age(const sema::Expr& e) { return std::holds_alternative<sema::AgeOf>(e.node); }
   static Truth3 ordered(const Span& a, const Span& b, bool strictly) {
     if (strictly ? a.hi < b.lo : a.hi <= b.lo) return Truth3::yes;
     return (strictly ? a.lo >= b.hi : a.lo > b.hi) ? Truth3::no : Truth3::open;
@@ -179,6 +174,10 @@ class Reader {
   [[nodiscard]] Number number(const sema::Expr& e) const {
     if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Span{v->value, v->value};
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return of(*v);
+    if (const auto* v = std::get_if<sema::AgeOf>(&e.node)) {
+      const auto& most = spec_[v->input].max_age;
+      return most ? Number(Span{0, most->value}) : std::nullopt;
+    }
     if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
       return box_.at({true, static_cast<std::uint32_t>(v->param), 0});
     }
@@ -251,9 +250,10 @@ class Reader {
 class Search {
  public:
   // `suits`: what anything is that inputs do not decide.
-  Search(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how, bool suits)
-      : spec_(spec), property_(property), value_(value), how_(how), suits_(suits) {
-    collect(property);
+  Search(const sema::Spec& spec, std::vector<const sema::Expr*> all, bool value, ToldHow how,
+         bool suits)
+      : spec_(spec), all_(std::move(all)), value_(value), how_(how), suits_(suits) {
+    for (const sema::Expr* each : all_) collect(*each);
   }
 
   Told run() {
@@ -330,7 +330,7 @@ class Search {
   [[nodiscard]] bool is_out(const Box& box, bool stays) const {
     const Truth3 other = from(!value_);
     const auto reads = [&](const Box& of) {
-      return Reader(spec_, of, stays ? of : ever_, stays).truth(property_, suits_);
+      return truth(Reader(spec_, of, stays ? of : ever_, stays));
     };
     if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
@@ -355,7 +355,17 @@ class Search {
       const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
       span = {Rational(span.lo - by), Rational(span.hi + by)};
     }
-    return Reader(spec_, seen, seen, true).truth(property_, suits_) == from(value_);
+    return truth(Reader(spec_, seen, seen, true)) == from(value_);
+  }
+  // Of several, that each of them is as it is asked to be.
+  [[nodiscard]] Truth3 truth(const Reader& reader) const {
+    Truth3 found = from(value_);
+    for (const sema::Expr* each : all_) {
+      const Truth3 is = reader.truth(*each, suits_);
+      if (is == from(!value_)) return is;
+      if (is == Truth3::open) found = is;
+    }
+    return found;
   }
   // On the grid, where it has one.
   [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
@@ -410,7 +420,7 @@ class Search {
   }
 
   const sema::Spec& spec_;
-  const sema::Expr& property_;
+  const std::vector<const sema::Expr*> all_;
   bool value_;
   ToldHow how_;
   bool suits_;
@@ -422,10 +432,29 @@ class Search {
 }  // namespace
 
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
-  return Search(spec, property, value, how, value).run();
+  return Search(spec, {&property}, value, how, value).run();
+}
+Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
+  return Search(spec, all, true, ToldHow::seen, true).run();
+}
+std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<sema::InputId> all;
+  const auto add = [&](sema::InputId id) {
+    if (!spec[id].robot && !spec[id].agent) all.insert(id);
+  };
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    if (const auto* v = std::get_if<sema::InputRef>(&part.node)) add(v->input);
+    if (const auto* v = std::get_if<sema::IsValue>(&part.node)) add(v->input);
+    if (const auto* v = std::get_if<sema::AgeOf>(&part.node)) add(v->input);
+    if (const auto* v = std::get_if<sema::SameValue>(&part.node)) {
+      add(v->left.input);
+      add(v->right.input);
+    }
+  });
+  return all;
 }
 std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property) {
-  const Told told = Search(spec, property, true, ToldHow::seen, false).run();
+  const Told told = Search(spec, {&property}, true, ToldHow::seen, false).run();
   return told.can == CanBeTold::yes ? told.inputs : std::vector<ToldInput>();
 }
 

@@ -125,7 +125,8 @@ Found Claims::check(const Claim& claim) {
       {"no_fences", &Claims::no_fences}, {"coordinated", &Claims::coordinated},
       {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
       {"level", &Claims::level},         {"comes_in", &Claims::comes_in},
-      {"parting", &Claims::parting},     {"told", &Claims::told}};
+      {"parting", &Claims::parting},     {"told", &Claims::told},
+      {"at_once", &Claims::at_once}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);

@@ -53,6 +53,7 @@ class Claims {
   std::optional<Doubt> returned(const Values& v);
   std::optional<Doubt> seen(const Values& v);
   std::optional<Doubt> told(const Values& v);
+  std::optional<Doubt> at_once(const Values& v);
   std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
   std::optional<Doubt> led_in(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone,

@@ -202,7 +202,7 @@ Rational resting_clearance(const Numbers& n, const Rational& accel, const Ration
   if (unbounded > n.speed) {
     way = n.speed * horizon - (n.speed - s0) * (n.speed - s0) / (2 * accel);
   }
-  return disc(n, way, std::min(n.speed, unbounded));
+  return disc(n, way, std::min(n.speed, unbounded)) + n.position_error;  // and is measured there
 }
 
 Rational cruising_clearance(const Numbers& n, const Rational& speed, const Rational& ahead) {

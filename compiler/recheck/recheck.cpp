@@ -316,15 +316,26 @@ class Check {
     }
     return names;
   }
+  // What inputs have to be for all monitors is so at once.
+  void told_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& alone) {
+    if (!asks_at_once(spec_, said_by(spec_, d, "", alone))) return;
+    const bool said = std::ranges::any_of(e.claims, [&](const Claim& c) {
+      return c.what == "at_once" && text(c.values, "decision") == d.name &&
+             c.values.count("monitor") == 0 &&
+             std::ranges::includes(alone, names_in(text(c.values, "but")));
+    });
+    if (!said) fail(whom(d, e) + ": it rests on no claim `at_once`");
+  }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
+    told_at_once(d, e, true_by_inputs_alone(d, e));
     if (has(e, "no_fences", {{"decision", d.name}})) {
       for (const sema::MonitorId id : d.priority) {
         if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], {});
       }
       return;
     }
-    std::set<std::string> zones, places, named;
+    std::set<std::string> zones, places, heights, named;
     std::string height;
     const std::set<std::string> alone = true_by_inputs_alone(d, e);
     const auto asks = [&](sema::MonitorId id) {
@@ -342,6 +353,7 @@ class Check {
       places.insert(c.values.count("x_mm") + c.values.count("y_mm") == 2
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
+      if (c.values.count("z_mm") != 0) heights.insert(c.values.at("z_mm"));
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
       named.insert(text(c.values, "zone"));
       if (c.what == "place") height = text(c.values, "z_mm");
@@ -362,12 +374,13 @@ class Check {
     }
     for (const Claim& c : e.claims) {
       if (c.what != "height") continue;
+      heights.insert(text(c.values, "z_mm"));
       if (!std::ranges::includes(alone, names_in(text(c.values, "but")))) {
         fail(whom(d, e) + ": it leaves out what inputs alone do not make true");
       }
     }
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
-    if (places.size() > 1) fail(whom(d, e) + ": it is not one place");
+    if (places.size() > 1 || heights.size() > 1) fail(whom(d, e) + ": it is not one place");
     named.erase("");
     all_at_once(d, e, named, height);
   }
@@ -529,9 +542,9 @@ class Check {
     if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
   }
-  // Who comes near a robot that its recovery has stopped finds it slow enough.
+  // An agent that comes near a robot that its recovery has stopped finds it slow enough.
   bool stands_and_holds(const sema::Decision& d, const sema::Monitor& m) {
-    return m.recover &&
+    return m.recover && asks_agents_only(*m.always) &&
            std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation) &&
            Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
   }
@@ -576,6 +589,9 @@ class Check {
            !std::holds_alternative<sema::Yield>(steps.back());
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    if (asks_at_once(spec_, said_by(spec_, d, m.name, {}))) {
+      need(d, e, "at_once", {{"monitor", m.name}});
+    }
     if (m.recover) charged(d, e, spec_[*m.recover], m);
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover) follows(d, e, spec_[*m.recover]);

@@ -39,6 +39,9 @@ class Condition {
     if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compares(*v, value);
     if (!value) return false;
     if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return comes_about(*v->operand, true);
+    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
+      return comes_about(*v->operand, true);
+    }
     if (const auto* v = std::get_if<sema::Past>(&e.node)) {
       return (v->interval.to || v->op == sema::PastOp::once) && comes_about(*v->operand, true);
     }

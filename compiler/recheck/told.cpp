@@ -86,15 +86,24 @@ class Reader {
   [[nodiscard]] bool compare(const sema::Compare& v, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
     if (!a || !b) return anyhow_;
-    switch (v.op) {
+    const auto is_age = [](const sema::Expr& e) {
+      return std::holds_alternative<sema::AgeOf>(e.node);
+    };
+    const bool of_age = is_age(*v.left) || is_age(*v.right);
+    // how old it is, within what is declared, is as it suits
+    if (of_age && is_between(v.op, *a, *b, !value)) return anyhow_;
+    return is_between(v.op, *a, *b, value);
+  }
+  static bool is_between(sema::CompareOp op, const Bounds& a, const Bounds& b, bool value) {
+    switch (op) {
       case sema::CompareOp::less:
-        return value ? a->lo < b->hi : a->hi >= b->lo;
+        return value ? a.lo < b.hi : a.hi >= b.lo;
       case sema::CompareOp::less_equal:
-        return value ? a->lo <= b->hi : a->hi > b->lo;
+        return value ? a.lo <= b.hi : a.hi > b.lo;
       case sema::CompareOp::greater:
-        return value ? a->hi > b->lo : a->lo <= b->hi;
+        return value ? a.hi > b.lo : a.lo <= b.hi;
       case sema::CompareOp::greater_equal:
-        return value ? a->hi >= b->lo : a->lo < b->hi;
+        return value ? a.hi >= b.lo : a.lo < b.hi;
     }
     return true;
   }
@@ -117,6 +126,10 @@ class Reader {
     if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Bounds{v->value, v->value};
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
       return measured(v->input, v->component);
+    }
+    if (const auto* v = std::get_if<sema::AgeOf>(&e.node)) {
+      const auto& most = spec_[v->input].max_age;
+      return most ? Known(Bounds{0, most->value}) : std::nullopt;
     }
     if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
       const sema::Param& param = spec_[v->param];
@@ -245,6 +258,16 @@ std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e) {
   return all;
 }
 
+std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<sema::InputId> all;
+  for (const ToldInput& each : told_in(spec, e)) all.insert(each.first);
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto* v = std::get_if<sema::AgeOf>(&part.node);
+    if (v != nullptr && !spec[v->input].robot && !spec[v->input].agent) all.insert(v->input);
+  });
+  return all;
+}
+
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value) {
   const auto all = told_in(spec, property);
@@ -276,11 +299,43 @@ std::optional<Doubt> Claims::told(const Values& v) {
   for (const sema::MonitorId id : d->priority) {
     if (&spec_[id] == m) continue;
     const sema::Monitor& other = spec_[id];
-    std::set<ToldInput> asked = told_in(spec_, *other.always);
-    if (other.return_when) asked.merge(told_in(spec_, *other.return_when));
-    for (const ToldInput& each : asked) {
-      if (inputs->contains(each)) return wrong("`" + other.name + "` asks for them, too");
+    std::set<sema::InputId> asked = spoken_of(spec_, *other.always);
+    if (other.return_when) asked.merge(spoken_of(spec_, *other.return_when));
+    for (const auto& each : *inputs) {
+      if (asked.contains(each.first.first)) return wrong("`" + other.name + "` asks for them, too");
     }
+  }
+  return std::nullopt;
+}
+
+bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
+  std::set<sema::InputId> known;
+  for (const sema::Expr* each : all) {
+    for (const sema::InputId id : spoken_of(spec, *each)) {
+      if (!known.insert(id).second) return true;
+    }
+  }
+  return false;
+}
+std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
+                                       const std::string& only, const std::set<std::string>& but) {
+  std::vector<const sema::Expr*> all;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if ((!only.empty() && m.name != only) || but.contains(m.name)) continue;
+    all.push_back(m.always.get());
+    if (m.return_when) all.push_back(m.return_when.get());
+  }
+  return all;
+}
+
+std::optional<Doubt> Claims::at_once(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  const auto inputs = told_inputs(spec_, text(v, "inputs"));
+  if (d == nullptr || !inputs) return wrong("the inputs cannot be measured so");
+  for (const sema::Expr* each : said_by(spec_, *d, text(v, "monitor"), names_in(text(v, "but")))) {
+    if (told_makes(spec_, *each, *inputs, true)) continue;
+    return wrong("with those inputs not all that is asked for need be true");
   }
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "compiler/sema/spec.h"
 #include "compiler/support/rational.h"
@@ -20,6 +21,14 @@ using ToldInputs = std::map<ToldInput, Rational>;
 std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text);
 // Those that a property speaks of, and that no robot senses.
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
+// The same inputs, and those whose age it speaks of.
+std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
+// What the monitors of a decision say, and ask for to return: of `only` one of them, or of all but
+// some.
+std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
+                                       const std::string& only, const std::set<std::string>& but);
+// Whether two of these speak of one input, so that they may exclude each other.
+bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as
 // long as it takes, and what no input decides is as it suits. It is then true whatever the errors,
 // and false where there are none.

@@ -43,7 +43,7 @@ class Describer {
   Diagnostic describe(const std::optional<Edit>& edit) {
     if (found_.kind == T::UNKNOWN) return unknown_character();
     if (is_comment_in_unit(tokens_, error_.index, sources_)) return comment_in_unit();
-    if (error_.expects(T::SPEED) && computes_zone(found_.kind)) return computed_zone();
+    if (is_computed_zone()) return computed_zone();
     if (!edit) return plain();
     switch (edit->reason) {
       case EditReason::missing:
@@ -241,14 +241,26 @@ class Describer {
   }
 
   // `within room - grow(pit, 10 cm) speed 0.1 m/s`: recoveries know zones by their names.
+  [[nodiscard]] bool is_computed_zone() const {
+    const std::size_t at = error_.index;
+    if (!error_.expects(T::SPEED) || !computes_zone(found_.kind) || at < 2) return false;
+    return tokens_[at - 1].kind == T::IDENT && tokens_[at - 2].kind == T::WITHIN;
+  }
   [[nodiscard]] Diagnostic computed_zone() const {
     const SourceRange& first = tokens_[error_.index - 1].range;
     const auto ends = [](TokenKind kind) {
       return kind == T::SPEED || kind == T::ORDER || kind == T::END || ends_clause(kind);
     };
-    std::size_t last = error_.index;
-    while (!ends(tokens_[last + 1].kind)) ++last;
-    const std::string zone{sources_.text({first.file, first.begin, tokens_[last].range.end})};
+    std::size_t last = error_.index - 1;
+    int open = 0;
+    while (!ends(tokens_[last + 1].kind)) {
+      ++last;
+      open += tokens_[last].kind == T::LEFT_PAREN ? 1 : 0;
+      open -= tokens_[last].kind == T::RIGHT_PAREN ? 1 : 0;
+    }
+    std::string zone{sources_.text({first.file, first.begin, tokens_[last].range.end})};
+    const bool is_whole = open == 0 && zone.find_first_of("\n;") == std::string::npos;
+    if (!is_whole) zone = "shrink(yard, 10 cm)";
     Diagnostic result =
         make(Code::unexpected_token, "expected `speed`" + after() + ", found " + found(),
              "the name of a zone is due");

@@ -48,6 +48,7 @@ class AsksBack {
     if (const auto* v = std::get_if<ir::Or>(&op)) return either(of(block, v->a), of(block, v->b));
     // who stays there fulfils what is asked of its past
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) return of(block, v->a);
+    if (const auto* v = std::get_if<ir::Previously>(&op)) return of(block, v->a);
     if (const auto* v = std::get_if<ir::Once>(&op)) return of(block, v->a);
     if (const auto* v = std::get_if<ir::Historically>(&op)) {
       return v->window.to < 0 ? Part{false} : of(block, v->a);

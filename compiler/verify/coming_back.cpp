@@ -346,7 +346,7 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   Obligation o = blank(s, k, Kind::p2b);
   if (!m.hold_reason.empty()) return acknowledged(std::move(o), m.hold_reason);
   o = unless_accepted(s, k, Kind::p2b, [&] {
-    return by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b)));
+    return told_at_once(s, k, by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b))));
   });
   o.patience_s = analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {

@@ -18,7 +18,7 @@ using analysis::outline::Outline;
 using analysis::outline::P;
 
 // Of each kind: attempts to show it are few.
-constexpr std::size_t starts_most = 2;
+constexpr std::size_t lock_ups_most = 2;
 // A body is on the boundary of where it may start.
 constexpr double on_boundary_mm = 0.5;
 
@@ -34,8 +34,8 @@ class Level {
     if (!s.decision.body.in_space) return;
     const JointNeeds needs = joint_needs_of(s);
     low_mm_ = needs.low_mm, high_mm_ = needs.high_mm;
-    constexpr std::int64_t far_mm = 1'000'000, low_mm = 1000;
-    const bool bounded = needs.low_mm > -far_mm && needs.high_mm < far_mm;
+    constexpr std::int64_t unlimited_mm = 1'000'000, low_mm = 1000;
+    const bool bounded = needs.low_mm > -unlimited_mm && needs.high_mm < unlimited_mm;
     z_mm_ = bounded ? (needs.low_mm + needs.high_mm) / 2
                     : std::clamp(low_mm, needs.low_mm, needs.high_mm);
     for (const ir::ZoneIndex fence : fences_with_height()) {
@@ -193,7 +193,7 @@ class LockUps {
     return start;
   }
   static std::vector<Start> best(std::vector<std::pair<double, Start>> found,
-                                 std::size_t most = starts_most) {
+                                 std::size_t most = lock_ups_most) {
     std::ranges::stable_sort(found, {}, &std::pair<double, Start>::first);
     std::vector<Start> all;
     for (auto& [rank, start] : found) {

@@ -278,18 +278,12 @@ Obligation not_told(Obligation o, const analysis::Told& told) {
 void claim_told(const Subject& s, std::size_t k, bool holds,
                 const std::vector<analysis::ToldInput>& told, Obligation& o) {
   if (told.empty()) return;
-  std::string inputs;
-  for (const analysis::ToldInput& each : told) {
-    const sema::Input& input = s.spec[each.input];
-    inputs += (inputs.empty() ? "" : ";") + input.name + "." + std::to_string(each.component) +
-              "=" + each.value.get_str();
-  }
   o.because += (o.because.empty() ? "with " : ", with ") + analysis::told_text(s.spec, told);
   o.claims.push_back({"told",
                       {{"decision", s.decision.name},
                        {"monitor", s.decision.monitors[k].name},
                        {"value", holds ? "true" : "false"},
-                       {"inputs", inputs}}});
+                       {"inputs", values_of(s, told)}}});
 }
 
 }  // namespace
@@ -523,20 +517,11 @@ std::string never_so_far_apart(const Subject& s) {
 }
 
 // Whether a property speaks of one of them.
-bool asks_for(const sema::Expr& property, const std::vector<analysis::ToldInput>& inputs) {
-  bool found = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto is = [&](sema::InputId id) {
-      found = found || std::ranges::find(inputs, id, &analysis::ToldInput::input) != inputs.end();
-    };
-    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) is(v->input);
-    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) is(v->input);
-    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
-      is(v->left.input);
-      is(v->right.input);
-    }
-  });
-  return found;
+bool asks_for(const Subject& s, const sema::Expr& property,
+              const std::vector<analysis::ToldInput>& inputs) {
+  const auto spoken_of = analysis::inputs_in(s.spec, property);
+  return std::ranges::any_of(inputs,
+                             [&](const auto& each) { return spoken_of.contains(each.input); });
 }
 // What inputs make true that no other monitor speaks of, wherever the robot is.
 Subject with_inputs_that_suit(const Subject& s) {
@@ -548,8 +533,8 @@ Subject with_inputs_that_suit(const Subject& s) {
     bool shared = inputs.empty();
     for (std::size_t other = 0; other < count; ++other) {
       const sema::Monitor& m = s.monitor(other);
-      shared = shared || (other != k && (asks_for(*m.always, inputs) ||
-                                         (m.return_when && asks_for(*m.return_when, inputs))));
+      shared = shared || (other != k && (asks_for(s, *m.always, inputs) ||
+                                         (m.return_when && asks_for(s, *m.return_when, inputs))));
     }
     if (!shared) with.told[k] = std::move(inputs);
   }
@@ -612,11 +597,11 @@ Obligation returned_as_they_say(const Subject& s) {
 }  // namespace
 
 Obligation returns_together(const Subject& s) {
-  const Obligation o = returned_as_they_say(s);
+  const Obligation o = told_at_once(s, std::nullopt, returned_as_they_say(s));
   if (o.status == Status::proved) return o;
   const Subject with = with_inputs_that_suit(s);
   if (with.told.empty()) return o;
-  Obligation told = returned_as_they_say(with);
+  Obligation told = told_at_once(with, std::nullopt, returned_as_they_say(with));
   const auto is_place = [](const Claim& c) { return c.what == "place" || c.what == "returned"; };
   if (told.status != Status::proved || std::ranges::none_of(told.claims, is_place)) {
     if (o.status != Status::refuted || told.status == Status::refuted) return o;

@@ -86,6 +86,11 @@ TEST(Foreign, RecoveriesKnowZonesByTheirNames) {
   expect_help({"", "(", "`zone inner = shrink(room, 1 m);`"},
               back + "loiter within shrink(room, 1 m) speed 0.1 m/s;");
   expect_help({"", "|", "`zone inner = room | hall;`"}, back + "yield within room | hall;");
+  // what cannot be told as it is written
+  expect_help({"", "-", "`zone inner = shrink(yard, 10 cm);`"},
+              back + "retreat within room -\n hall speed 0.1 m/s;");
+  Parsed landing{back + "land to 2 m (slowly) speed 0.1 m/s;"};
+  EXPECT_EQ(landing.messages().find("zone inner"), std::string::npos) << landing.messages();
 }
 
 TEST(Foreign, ExamplesSuitTheMonitor) {

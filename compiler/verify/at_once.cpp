@@ -1,0 +1,82 @@
+// What several monitors say of inputs, and ask for to let go: whether it can be so at once.
+#include <algorithm>
+#include <set>
+#include <variant>
+
+#include "compiler/sema/visit.h"
+#include "compiler/support/words.h"
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+namespace {
+
+bool share_inputs(const Subject& s, const std::vector<const sema::Expr*>& all) {
+  std::set<sema::InputId> known;
+  for (const sema::Expr* each : all) {
+    for (const sema::InputId id : analysis::inputs_in(s.spec, *each)) {
+      if (!known.insert(id).second) return true;
+    }
+  }
+  return false;
+}
+// What was so may be something else than what is.
+bool looks_back(const sema::Expr& e) {
+  bool found = false;
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    found = found || std::holds_alternative<sema::HeldFor>(part.node) ||
+            std::holds_alternative<sema::Previously>(part.node) ||
+            std::holds_alternative<sema::Past>(part.node) ||
+            std::holds_alternative<sema::Aggregate>(part.node);
+  });
+  return found;
+}
+
+}  // namespace
+
+std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& told) {
+  std::string all;
+  for (const analysis::ToldInput& each : told) {
+    all += (all.empty() ? "" : ";") + s.spec[each.input].name + "." +
+           std::to_string(each.component) + "=" + each.value.get_str();
+  }
+  return all;
+}
+
+Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation o) {
+  if (o.status != Status::proved) return o;
+  std::vector<const sema::Expr*> said;
+  std::string names, but;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    if (only && k != *only) continue;
+    const sema::Monitor& m = s.monitor(k);
+    if (!only && s.told.contains(k)) {
+      but += (but.empty() ? "" : ";") + m.name;
+      continue;
+    }
+    said.push_back(m.always.get());
+    if (m.return_when) said.push_back(m.return_when.get());
+    names += (names.empty() ? "" : ", ") + quoted(m.name);
+  }
+  if (!share_inputs(s, said)) return o;  // each can be so by itself
+  const analysis::Told told = analysis::told_at_once(s.spec, said);
+  if (told.can == analysis::CanBeTold::yes) {
+    Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};
+    if (only) claim.values["monitor"] = s.decision.monitors[*only].name;
+    if (!but.empty()) claim.values["but"] = but;
+    if (!told.inputs.empty()) o.because += ", with " + told_text(s.spec, told.inputs);
+    o.claims.push_back(std::move(claim));
+    return o;
+  }
+  const bool never = told.can == analysis::CanBeTold::no &&
+                     std::ranges::none_of(said, [](const sema::Expr* e) { return looks_back(*e); });
+  o.status = never ? Status::refuted : Status::unknown;
+  o.method = never ? "interval arithmetic" : "no proof";
+  o.because = std::string(never ? "no inputs are seen to make" : "no inputs were found that make") +
+              " true at once what is said by " + names + ", and asked for to return";
+  o.repair = "conditions that do not exclude each other work";
+  o.claims.clear();
+  o.place_mm = {};
+  return o;
+}
+
+}  // namespace rtac::verify

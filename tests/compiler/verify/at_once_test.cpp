@@ -1,0 +1,155 @@
+// What monitors say of one input, and ask for to return: it has to be so at once, which a recheck
+// reads from the specification. So does a joint return lie at one place, with its height.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+// Two monitors of one robot; what they say and ask for besides.
+std::string asking(const std::string& one, const std::string& two) {
+  return R"(spec ask;
+zone hall = rectangle (0 m, 0 m) to (30 m, 20 m);
+zone yard = rectangle (100 m, 0 m) to (130 m, 20 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 3 cm   max_age 50 ms;
+  sense   velocity : vector error 3 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 20 ms;
+}
+fleet c : Cart;
+input permit : bool max_age 1 s;
+input load   : real in 0 .. 90 error 1 max_age 1 s;
+controller tour : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller back : safe for Cart = retreat within hall speed 0.3 m/s;
+monitor one for r : Cart { "R1" always )" +
+         one + R"(; }
+monitor two for r : Cart { "R2" always )" +
+         two + R"(; }
+decision lead for Cart { advanced tour; period 50 ms; priority one > two; acknowledge back may break one "a test"; }
+)";
+}
+const char* const off_walls = "clearance(r, hall) >= 10 cm";
+
+class AtOnce : public Verify {
+ protected:
+  static Outcome judged(const std::string& text) {
+    return verified(text, {"--attack", "1", "--format", "json"});
+  }
+  void proved(const std::string& text) {
+    const Outcome o = verified(text, {"-o", "certificates"});
+    ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+    report_ = Json::parse(read("certificates/verification.json"));
+    ASSERT_EQ(recheck_sealed_anew().status, exit_clean);
+  }
+  // Of an obligation, each claim as `change` leaves it, or left out.
+  template <class Change>
+  void expect_denied(const std::string& kind, const Change& change, const std::string& why) {
+    Json report = report_;
+    for (Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] != kind) continue;
+      Json left = Json::array();
+      for (Json& claim : o["claims"]) {
+        if (change(claim)) left.push_back(claim);
+      }
+      o["claims"] = left;
+    }
+    write("certificates/verification.json", report.dump());
+    const Outcome o = recheck_sealed_anew();
+    EXPECT_EQ(o.status, exit_violation) << why << "\n" << o.out << o.err;
+    EXPECT_NE((o.out + o.err).find(why), std::string::npos) << why << "\n" << o.out << o.err;
+  }
+  Json report_;
+};
+
+TEST_F(AtOnce, WhatExcludesEachOtherRefutesTheReturn) {
+  const std::string in = std::string(off_walls) + " and ", back = "; recover back";
+  for (const auto& [one, two] : {std::pair(in + "permit" + back, in + "not permit" + back),
+                                 std::pair(off_walls + back + "; return when permit",
+                                           off_walls + back + "; return when not permit"),
+                                 std::pair(in + "load <= 40" + back, in + "load >= 39" + back)}) {
+    const Outcome o = judged(asking(one, two));
+    EXPECT_EQ(statuses(o.out, "joint return", ""), Statuses{"refuted"}) << one << o.out;
+    EXPECT_EQ(statuses(o.out, "P2b", "one"), Statuses{"proved"}) << one << o.out;
+  }
+  // of one monitor, its own condition
+  const Outcome own =
+      judged(asking(off_walls + back, in + "permit" + back + "; return when not permit"));
+  EXPECT_EQ(statuses(own.out, "P2b", "one"), Statuses{"proved"}) << own.out;
+  EXPECT_EQ(statuses(own.out, "P2b", "two"), Statuses{"refuted"}) << own.out;
+}
+
+// Older than its age an input says nothing any more.
+TEST_F(AtOnce, AnAgeThatNoSampleHasIsNoneOfOneThatIsRead) {
+  const std::string told = R"(permit or r inside yard; recover stop; hold when violated "a test")";
+  const auto page = [&](const std::string& age) {
+    return asking(told, "r inside hall and age(permit) " + age + "; recover back");
+  };
+  EXPECT_NE(statuses(judged(page(">= 2 s")).out, "joint return", ""), Statuses{"proved"});
+  const std::string both = std::string(off_walls) + " and permit; recover back";
+  const auto fresh = asking(both, "r inside hall and age(permit) <= 500 ms; recover back");
+  EXPECT_EQ(statuses(judged(fresh).out, "joint return", ""), Statuses{"proved"});
+  const auto stale = asking(both, "r inside hall and age(permit) >= 2 s; recover back");
+  EXPECT_EQ(statuses(judged(stale).out, "joint return", ""), Statuses{"refuted"});
+}
+
+TEST_F(AtOnce, InputsThatSuitAllAreClaimedAndFoundAgain) {
+  const std::string in = std::string(off_walls) + " and ", back = "; recover back";
+  proved(asking(in + "load <= 40" + back + "; return when permit and load <= 30",
+                in + "load >= 20" + back + "; return when permit"));
+  for (const char* const kind : {"joint return", "P2b"}) {
+    expect_denied(
+        kind, [](Json& c) { return c["claim"] != "at_once"; }, "no claim `at_once`");
+    expect_denied(
+        kind,
+        [](Json& c) {
+          if (c["claim"] == "at_once") c["inputs"] = "load.0=25;permit.0=0";
+          return true;
+        },
+        "not all that is asked for need be true");
+  }
+  expect_denied(
+      "joint return",
+      [](Json& c) {
+        if (c["claim"] == "at_once") c["but"] = "one";
+        return true;
+      },
+      "no claim `at_once`");
+}
+
+// A robot that rests there is measured beside it.
+TEST_F(AtOnce, APlaceIsClearByTheErrorOfItsMeasurement) {
+  proved(asking(std::string(off_walls) + "; recover back", "r inside hall; recover back"));
+  expect_denied(
+      "joint return",
+      [](Json& c) {
+        if (c["claim"] != "place") return true;
+        c["clearance_mm"] = std::to_string(std::stoll(c["clearance_mm"].get<std::string>()) - 10);
+        return true;
+      },
+      "may not be given back");
+}
+
+TEST_F(AtOnce, APlaceHasOneHeight) {
+  std::string text =
+      driver::test::edited(asking("r inside low; recover back", "r inside hall; recover back"),
+                           "zone yard = rectangle (100 m, 0 m) to (130 m, 20 m);",
+                           "zone low = prism (hall) from 0 m to 15 m;");
+  text = edited(text, "position : point ", "position : point3 ");
+  text = edited(text, "velocity : vector ", "velocity : vector3 ");
+  text = edited(text, "retreat within hall", "retreat within low");
+  text = edited(text, "r inside hall;", "r.position.z <= 20 m;");
+  proved(text);
+  expect_denied(
+      "joint return",
+      [](Json& c) {
+        if (c["claim"] == "height") c["z_mm"] = "9000";
+        return true;
+      },
+      "it is not one place");
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
