@@ -381,8 +381,8 @@ class Recoveries {
     // of what is only tried, all has to be looked at
     const std::vector<Stranded> parts =
         trials_ != nullptr ? shut_off(module_[last.zone].cells, last, ways) : ways.stranded;
-    // a few cells that no way leads from may be all that is seen of a passage that is too narrow; of
-    // what is offered none may be left, or P2b of it is not proved
+    // a few cells that no way leads from may be all that is seen of a passage that is too narrow;
+    // of what is offered none may be left, or P2b of it is not proved
     const std::int64_t told = trials_ != nullptr ? stranded_cells_least : 1;
     if (parts.empty() || parts.front().cells < told) return too_narrow(last);
     const Stranded& part = parts.front();
@@ -416,7 +416,8 @@ class Recoveries {
   // Of several sites the one that is not reached.
   [[nodiscard]] std::string aim_of(const ir::Recovery& last, const Stranded& from) const {
     const std::string aim = "where control can be given back";
-    if (last.kind != ir::RecoveryKind::route || module_[last.site].places.size() < 2) return aim;
+    const bool is_route = last.kind == ir::RecoveryKind::route;
+    if (trials_ == nullptr || !is_route || module_[last.site].places.size() < 2) return aim;
     const auto robot = robot_without_way(module_, last, from);
     const ir::SiteTable& site = module_[last.site];
     if (!robot) return aim;

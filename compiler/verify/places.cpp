@@ -44,10 +44,6 @@ geometry::Point shown_place(const Subject& s, const Need& need) {
   return {analysis::metres_of(table.widest_x_mm), analysis::metres_of(table.widest_y_mm)};
 }
 
-}  // namespace
-
-namespace {
-
 // The zones that a monitor holds the robot, or the legs of its plans, against.
 std::vector<ir::ZoneIndex> places_of(const Subject& s, const ir::Monitor& m) {
   std::vector<ir::ZoneIndex> zones = analysis::fences_of(m.property, s.decision.facts.params);

@@ -527,9 +527,8 @@ TEST(Recoveries, NameTheDockThatNoWayLeadsTo) {
                                 "zone yard = room | rectangle (8 m, 0 m) to (10 m, 2 m);", "20 ms",
                                 "d inside yard"});
     text = edited(text, "fleet d1 : Drone;", "fleet d1, d2 : Drone;");
-    return without_offers(
-        edited(text, "site  home = (2.5 m, 2.5 m);",
-               "site home(d1) = (2.5 m, 2.5 m);\nsite home(d2) = " + second + ";"));
+    return compiled(edited(text, "site  home = (2.5 m, 2.5 m);",
+                           "site home(d1) = (2.5 m, 2.5 m);\nsite home(d2) = " + second + ";"));
   };
   const auto shared = at("(1 m, 1 m)"), apart = at("(9 m, 1 m)");
   EXPECT_NE(reports(*shared).find("finds no way to `home(d1)`, where"), std::string::npos)
