@@ -14,6 +14,9 @@ namespace rtac::recheck {
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);
 
+// Whether there are other robots that it speaks of.
+bool judges_robots(const sema::Spec& spec, const sema::Decision& decision,
+                   const sema::Expr& property);
 // Whether it says nothing but distances to agents, which templates keep where they move (rule 9.8).
 bool asks_agents_only(const sema::Expr& property);
 

@@ -30,7 +30,7 @@ class Entries {
  public:
   Entries(const std::vector<Segment>& zone, const Grid& grid, const std::vector<Segment>& fence,
           const EnteringLimits& limits)
-      : zone_(zone), grid_(grid), fence_(fence), limits_(limits) {
+      : zone_(zone), grid_(grid), fence_(fence), limits_(limits), near_(zone) {
     for (const geometry::Region& region : limits.starts) {
       starts_.push_back(segments_of(region));
     }
@@ -103,10 +103,21 @@ class Entries {
   }
   [[nodiscard]] bool contains(Place p) const { return holds(zone_, p); }
   double to_zone(Place p) {
-    steps_ += static_cast<std::int64_t>(zone_.size());
+    steps_ += static_cast<std::int64_t>(near_.size());
     double least = 1e300;
-    for (const Segment& s : zone_) least = std::min(least, square_to(s, p.x, p.y));
+    for (const Segment& s : near_) least = std::min(least, square_to(s, p.x, p.y));
     return std::sqrt(least);
+  }
+  // No way from the square, or from a part of it, is longer than `farthest`: nothing but this is
+  // the nearest of the zone's boundary on any of them.
+  void look_near(const Box& from, double off, double farthest) {
+    const Place m = middle(from);
+    const double way =
+        std::max(farthest, std::abs(off) + limits_.straight_most) + 2 * radius(from) + snap_m;
+    near_.clear();
+    for (const Segment& s : zone_) {
+      if (std::sqrt(square_to(s, m.x, m.y)) <= std::abs(off) + 2 * way) near_.push_back(s);
+    }
   }
   // Some body may be in the square: in one of the places, which may overlap.
   [[nodiscard]] bool may_start(const Box& b) const {
@@ -173,8 +184,9 @@ class Entries {
     int last = std::max(columns, rows), tested = 0;
     for (int off = 0; off <= last; ++off) {
       for (int r = std::max(0, row - off); r <= std::min(rows - 1, row + off); ++r) {
-        for (int c = std::max(0, column - off); c <= std::min(columns - 1, column + off); ++c) {
-          if (std::max(std::abs(c - column), std::abs(r - row)) != off) continue;
+        const int step = std::abs(r - row) == off || off == 0 ? 1 : 2 * off;
+        for (int c = column - off; c <= column + off; c += step) {
+          if (c < 0 || c >= columns) continue;
           const double clearance = grid_.clearance[static_cast<std::size_t>(r * columns + c)];
           if (clearance >= limits_.tested + table_m) ++tested;  // surely one of the tables, too
           if (clearance < limits_.least) continue;
@@ -211,6 +223,14 @@ class Entries {
       return to_the_nearest(boundary, from, off, asked) || in_quarters(boundary, from, ends, times);
     }
     const double farthest = limits_.alone ? farthest_taken(from, ends, off) : 1e300;
+    const bool whole = near_.size() == zone_.size() && farthest < 1e300;
+    if (whole) look_near(from, off, farthest);
+    const bool stays = ways_stay_within(boundary, from, ends, times, off, asked, farthest);
+    if (whole) near_ = zone_;
+    return stays;
+  }
+  bool ways_stay_within(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
+                        int times, double off, double asked, double farthest) {
     // it takes the first goal that it sees; who fits may take a way over cells there
     const bool fits = !starts_.empty() && radius(from) - off >= limits_.least;
     const bool first = !fits && looks_straight() && farthest < 1e300;
@@ -436,6 +456,7 @@ class Entries {
   std::vector<Place> corners_;                // of the zone, that point into it
   double depth_ = 1e300;                      // of the zone in the fence
   std::optional<Boundary> sight_;             // of the zone
+  std::vector<Segment> near_;                 // of the zone, what matters to a square
   std::int64_t steps_ = 0;
 };
 

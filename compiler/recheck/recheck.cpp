@@ -544,7 +544,7 @@ class Check {
   }
   // An agent that comes near a robot that its recovery has stopped finds it slow enough.
   bool stands_and_holds(const sema::Decision& d, const sema::Monitor& m) {
-    return m.recover && asks_agents_only(*m.always) &&
+    return m.recover && !judges_robots(spec_, d, *m.always) &&
            std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation) &&
            Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
   }
