@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
+constexpr unsigned grace_s = 2;
+
 volatile std::sig_atomic_t signal_seen = 0;
 volatile pid_t child = 0;  // changed only while the signals wait
 int endings = 0;
@@ -24,8 +26,14 @@ void end_child(int signal) {
   const int error = errno;
   // Whoever does not listen the first time is not asked again; with all that it has started.
   if (child > 0) ::kill(-child, signal_seen == 0 ? signal : SIGKILL);
+  if (child <= 0) ::alarm(grace_s);
   signal_seen = signal;
   errno = error;
+}
+// Nobody looks whether a signal has been seen while something is computed.
+void end_now(int /*signal*/) {
+  std::signal(signal_seen, SIG_DFL);
+  ::raise(signal_seen);
 }
 
 // No signal is handled as long as it lives.
@@ -93,6 +101,7 @@ int wait_for_child() {
 Ending::Ending() {
   if (endings++ > 0) return;
   signal_seen = 0;
+  std::signal(SIGALRM, end_now);
   for (std::size_t k = 0; k < signals.size(); ++k) {
     ::sigaction(signals[k], nullptr, &before[k]);
     if (before[k].sa_handler == SIG_IGN) continue;
@@ -104,6 +113,8 @@ Ending::Ending() {
 
 Ending::~Ending() {
   if (--endings > 0) return;
+  ::alarm(0);
+  std::signal(SIGALRM, SIG_DFL);
   for (std::size_t k = 0; k < signals.size(); ++k) ::sigaction(signals[k], &before[k], nullptr);
   if (signal_seen != 0) ::raise(signal_seen);
 }

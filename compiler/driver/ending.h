@@ -9,8 +9,9 @@
 namespace rtac::driver {
 
 // From here on SIGINT, SIGTERM and SIGHUP end the child that is waited for; the program itself ends
-// by the same signal when the last Ending goes: what was made before it is removed by then. Signals
-// that are ignored stay so, as `nohup` wants it.
+// by the same signal when the last Ending goes: what was made before it is removed by then. One
+// that only computes ends two seconds later all the same: the next one removes what lies about
+// then. Signals that are ignored stay so, as `nohup` wants it.
 class Ending {
  public:
   Ending();

@@ -81,6 +81,27 @@ TEST_F(Endings, ASignalEndsTheChildAndRemovesTheFolder) {
   }
 }
 
+// Who only computes looks for no signal.
+TEST_F(Endings, ASignalEndsWhoComputes) {
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    std::signal(SIGTERM, SIG_DFL);
+    const TemporaryFolder folder;
+    write("started", "");
+    for (volatile bool computes = true; computes;) {
+    }
+  }
+  for (int k = 0; k < patience && !fs::exists("started"); ++k) rest();
+  ::kill(pid, SIGTERM);
+  int status = 0;
+  ::waitpid(pid, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGTERM);
+  EXPECT_FALSE(fs::is_empty("tmp"));
+  { const TemporaryFolder next; }
+  EXPECT_TRUE(fs::is_empty("tmp"));
+}
+
 // Nobody can catch SIGKILL: the next folder of anybody removes what it has left, and nothing else.
 TEST_F(Endings, WhatAKilledProgramLeavesIsRemovedByTheNext) {
   const pid_t pid = start("");
