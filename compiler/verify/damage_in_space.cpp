@@ -9,6 +9,7 @@
 #include "compiler/analysis/outline.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/ir/linear.h"
+#include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -137,7 +138,11 @@ class DamageInSpace {
         judged_(says_of(s, s.decision.monitors[judged])),
         drives_(says_of(s, driving_)),
         body_mm_(double(s.decision.body.radius_mm)) {
-    for (const ir::Monitor& m : s.decision.monitors) all_.push_back(says_of(s, m));
+    for (const ir::Monitor& m : s.decision.monitors) {
+      // it is kept anywhere while inputs say so, until they ask for something else
+      if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
+      all_.push_back(says_of(s, m));
+    }
   }
 
   std::vector<Start> run() {

@@ -200,6 +200,16 @@ std::optional<Says> says_at(const Subject& s, const ir::Block& block, ir::ValueI
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   if (compare == nullptr) return std::nullopt;
   const auto least = ir::lower_bound(block, *compare, s.decision.facts.params);
+  if (place_mm.size() == 3) {
+    const auto most = ir::upper_bound(block, *compare);
+    const auto is_height = [](const auto& bound) {
+      return bound && bound->leaf.kind == ir::Leaf::Kind::altitude;
+    };
+    if (!is_height(least) && !is_height(most)) return std::nullopt;
+    const bool keeps = (!is_height(least) || place_mm[2] >= least->need.strictest) &&
+                       (!is_height(most) || place_mm[2] <= most->most);
+    return Says{keeps, !keeps};
+  }
   const bool of_zone = least && least->leaf.kind == ir::Leaf::Kind::clearance;
   if (!of_zone || place_mm.size() != 2) return std::nullopt;
   const ir::ZoneTable& zone = s.module[ir::ZoneIndex{least->leaf.table}];
