@@ -541,11 +541,19 @@ class Judge {
                                          "before its recovery acts, up to " +
                                          metres(within_mm) + " from there in x and in y; " +
                                          "near the boundary of " + zone + " there is none"});
-    const std::string none =
-        "no site in " + zone + " works: widen it, or lower `ahead`, `speed` or `accel`";
     const auto works = roomy_place(*room, site, d);
-    d.help = works ? name + " at " + text(works->at) + " works" : none;
+    d.help = works ? name + " at " + text(works->at) + " works"
+                   : "no site in " + zone + " works: " +
+                         room_for_site(module_[site].zone, within_mm, d)
+                             .value_or("widen it, or lower `ahead`, `speed` or `accel`");
     return d;
+  }
+  // How much wider the zone is with which there is a way from all around its site.
+  std::optional<std::string> room_for_site(ir::ZoneIndex zone, std::int64_t within_mm,
+                                           const diag::Diagnostic& of) const {
+    if (of_ == nullptr || of_->trials == nullptr) return std::nullopt;  // nobody reads it
+    return growth_that_works(*of_->trials, zone, exact_->flat(zone), within_mm / 4, 2 * within_mm,
+                             fault_of(of.code, of.range));
   }
   std::optional<OtherPlace> roomy_place(const Cramped& room, ir::SiteIndex site,
                                         const diag::Diagnostic& of) const {

@@ -356,6 +356,43 @@ TEST(ReturnCondition, WhatIsNeverTrueIsRefused) {
   }
 }
 
+// In a hall so narrow that no site has a way from all around it, a wider one does; a little less
+// does not.
+TEST(ReturnCondition, AHallThatIsTooNarrowForASiteIsOfferedWider) {
+  const auto text = [](const std::string& hall) {
+    return "spec narrow;\nzone plain = rectangle (0 m, 0 m) to (14 m, 2.4 m);\nzone hall = " +
+           hall +
+           R"(;
+robot Bot {
+  body    radius 25 cm;
+  motion  unicycle { speed <= 0.7 m/s; turn <= 2 rad/s; accel <= 0.8 m/s^2; brake >= 1 m/s^2; turn_accel <= 6 rad/s^2; }
+  sense   position : point  error 2 cm     max_age 80 ms;
+  sense   heading  : angle  error 1.5 deg  max_age 80 ms;
+  sense   velocity : vector error 2 cm/s   max_age 80 ms;
+  sense   battery  : ratio  error 1 %      max_age 1 s;
+  output  drive : twist;
+  latency 40 ms;
+  energy  { drive <= 0.2 %/m; idle <= 0.01 %/s; drain <= 0.3 %/s; charge >= 1 %/s at plug; held <= 300 s; detour <= 60 m; }
+}
+fleet one : Bot;
+site plug = (12 m, 1.2 m);
+controller job  : advanced for Bot extern;
+controller home : safe for Bot = route to plug within hall speed 0.5 m/s;
+monitor charge for r : Bot { "R1" always r.battery >= energy_to(plug) + 5 %; ahead 160 ms; recover home; return when r.battery >= 85 %; }
+decision go for Bot { advanced job; period 80 ms; priority charge; }
+)";
+  };
+  const auto c = compiled(text("rectangle (0 m, 0 m) to (14 m, 2.4 m)"));
+  ASSERT_TRUE(has(*c, Code::return_set_empty)) << reports(*c);
+  const long mm = std::lround(
+      1000 * std::stod(number_in_help(*c, Code::return_set_empty, "`grow(hall, ", "m)`")));
+  const auto grown = [&](long by_mm) {
+    return text("grow(plain, " + std::to_string(by_mm) + " mm)");
+  };
+  EXPECT_FALSE(is_refused(grown(mm))) << mm;
+  EXPECT_TRUE(is_refused(grown(mm * 95 / 100))) << mm;
+}
+
 // Two zones at once that no body is in.
 TEST(ReturnCondition, APropertyThatHoldsNowhereIsNamed) {
   const auto both = [](const std::string& east) {
