@@ -251,11 +251,15 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   o.status = Status::refuted;
   o.method = by_geometry;
   o.by_a_run = true;
-  const Rational from_rest(
-      static_cast<long>(analysis::fastest_from_rest(s.decision, m.lookahead.duration_us)), 1000);
+  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
+  const Rational from_rest(static_cast<long>(mmps), 1000);
   o.because = "a robot at rest may be taken for one of " + to_decimal(from_rest) + " m/s, and " +
               quoted(m.name) + " lets none go that may be faster than its limit";
-  o.repair = "a limit of " + to_decimal(from_rest) + " m/s lets a robot at rest go";
+  // as fast as it may ever be no limit says anything
+  o.repair = mmps < s.decision.motions.front().speed_mmps
+                 ? "a limit of " + to_decimal(from_rest) + " m/s lets a robot at rest go"
+                 : "a shorter `ahead`, less latency or fresher samples are needed: at rest it is "
+                   "taken for one at its greatest speed";
   return o;
 }
 
