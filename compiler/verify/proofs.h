@@ -151,8 +151,8 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);
 
-// Of what is shown for these monitors: inputs make all that they say, and ask for to let go, true at
-// once. `only`: one of them; else all but those that inputs alone make true.
+// Of what is shown for these monitors: inputs make all that they say, and ask for to let go, true
+// at once. `only`: one of them; else all but those that inputs alone make true.
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation proved);
 // "load.0=20;door.0=1"
 std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& told);
