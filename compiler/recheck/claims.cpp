@@ -138,7 +138,10 @@ Found Claims::check(const Claim& claim) {
   if (claim.values.count("extra_us") != 0 && !looks_as_far(claim.values)) {
     return wrong("control is given back on a look-ahead of another length");
   }
-  return (this->*rule->second)(claim.values);
+  gave_up_ = false;
+  Found found = (this->*rule->second)(claim.values);
+  if (found && gave_up_) return Doubt{false, "there are too many ways to follow them all"};
+  return found;
 }
 
 // What is claimed of the return depends on it.

@@ -27,6 +27,8 @@ class Claims {
 
   std::optional<Doubt> check(const Claim& claim);
   NamedZones& zones() { return zones_; }
+  // What is looked at for the present claim takes too long: it is not known.
+  void give_up() { gave_up_ = true; }
   // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
   // they look `extra` s further ahead for that.
   Rational return_clearance(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
@@ -79,6 +81,7 @@ class Claims {
   const sema::Spec& spec_;
   NamedZones zones_;
   ProveLemma prove_;
+  bool gave_up_ = false;
   std::map<std::string, std::optional<Doubt>> lemmas_;  // each is proved once
 };
 

@@ -288,9 +288,11 @@ std::optional<StraightWays> straight_ways(const sema::Spec& spec, const sema::De
   }
   return StraightWays{{*cell, *x, *y}, strays, limits};
 }
-bool stay_within(const geometry::Region& zone, const geometry::Region& fence,
+bool stay_within(Claims& claims, const geometry::Region& zone, const geometry::Region& fence,
                  const StraightWays& ways) {
   const auto found = enters_beyond(zone, ways.cells, fence, ways.limits);
+  const auto* const bad = std::get_if<BadCells>(&found);
+  if (bad != nullptr && bad->too_many) claims.give_up();
   const auto* const place = std::get_if<std::optional<geometry::Point>>(&found);
   return place != nullptr && !place->has_value();
 }
@@ -321,7 +323,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
     }
     ways->limits.starts_off = offsets_round.get_d();
   }
-  return stay_within(*inner, *outer, *ways);
+  return stay_within(claims, *inner, *outer, *ways);
 }
 
 // Of an `or` the fence is where the centre of a body in one of its zones may be, which the zone of
@@ -343,7 +345,7 @@ bool enters_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& cl
   ways->limits.clearance = ways->strays.get_d();
   ways->limits.body = std::max(Rational(ways->strays - offsets_round), Rational(0)).get_d();
   ways->limits.depth = -Rational(radius + offsets_round).get_d();
-  return stay_within(*inner, places, *ways);
+  return stay_within(claims, *inner, places, *ways);
 }
 
 }  // namespace

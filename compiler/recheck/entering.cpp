@@ -71,7 +71,7 @@ class Entries {
             reach + 2 * square_m + std::max(limits_.clearance, limits_.body) + snap_m);
         if (limits_.alone) sight_.emplace(zone_, middle(square), reach + 1);
         const bool stays = stays_within(boundary, square, ends, quarters_max);
-        if (steps_ > steps_max) return BadCells{};
+        if (steps_ > steps_max) return BadCells{true};
         if (!stays) return std::optional(geometry::Point{Rational(x), Rational(y)});
       }
     }
@@ -83,7 +83,7 @@ class Entries {
   // The first goal is told in millimetres, rounded up twice.
   static constexpr double rounded_m = 0.002;
   static constexpr int quarters_max = 9, ways_followed_after = 3, parts = 16;
-  static constexpr std::int64_t steps_max = 12'000'000'000;
+  static constexpr std::int64_t steps_max = 6'000'000'000;
   // The search tries so many cells, ring by ring; with two rings more for the place that it begins
   // at and for cells that are none in its table.
   static constexpr int tests_max = 2000, more_rings = 3, rings_surely = 18;

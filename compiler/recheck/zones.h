@@ -58,7 +58,9 @@ class NamedZones {
 struct Cells {
   std::int64_t cell_mm = 0, x_mm = 0, y_mm = 0;  // width; where the first one begins
 };
-struct BadCells {};
+struct BadCells {
+  bool too_many = false;  // or there is too much to look at: nothing is known
+};
 // Whether from every cell of the zone whose places have `body_m` of clearance a way leads, over
 // cells as clear as `route_m` or as the one that it starts from, to one as clear as `goal_m`, or to
 // one of `sites`; and whether ways begin from everywhere in it; where `sites` are none, from there
