@@ -1,9 +1,6 @@
 // What several monitors say of inputs, and ask for to let go: whether it can be so at once.
-#include <algorithm>
 #include <set>
-#include <variant>
 
-#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 
@@ -18,17 +15,6 @@ bool share_inputs(const Subject& s, const std::vector<const sema::Expr*>& all) {
     }
   }
   return false;
-}
-// What was so may be something else than what is.
-bool looks_back(const sema::Expr& e) {
-  bool found = false;
-  sema::for_each_expr(e, [&](const sema::Expr& part) {
-    found = found || std::holds_alternative<sema::HeldFor>(part.node) ||
-            std::holds_alternative<sema::Previously>(part.node) ||
-            std::holds_alternative<sema::Past>(part.node) ||
-            std::holds_alternative<sema::Aggregate>(part.node);
-  });
-  return found;
 }
 
 }  // namespace
@@ -67,8 +53,7 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     o.claims.push_back(std::move(claim));
     return o;
   }
-  const bool never = told.can == analysis::CanBeTold::no &&
-                     std::ranges::none_of(said, [](const sema::Expr* e) { return looks_back(*e); });
+  const bool never = told.can == analysis::CanBeTold::no;  // whatever was so before
   o.status = never ? Status::refuted : Status::unknown;
   o.method = never ? "interval arithmetic" : "no proof";
   o.because = std::string(never ? "no inputs are seen to make" : "no inputs were found that make") +
