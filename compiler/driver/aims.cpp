@@ -27,13 +27,21 @@ Scenario place(const std::vector<std::int64_t>& mm) {
   return at;
 }
 
-Scenario starts_at(const verify::Start& start, const std::vector<std::string>& robots) {
+// The first robots where the start says, all others out of their way.
+Scenario starts_at(const Obligation& o, const verify::Start& start,
+                   const std::vector<std::string>& robots) {
   Scenario all = Scenario::object();
-  if (!start.place_mm.empty()) all[robots.front()]["at"] = place(start.place_mm);
-  for (std::size_t i = 0; i < start.others_mm.size() && i + 1 < robots.size(); ++i) {
-    all[robots[i + 1]]["at"] = place(start.others_mm[i]);
+  if (start.place_mm.empty()) return all;
+  std::vector<std::vector<std::int64_t>> places_mm{start.place_mm};
+  places_mm.insert(places_mm.end(), start.others_mm.begin(), start.others_mm.end());
+  places_mm.insert(places_mm.end(), o.aside_mm.begin(), o.aside_mm.end());
+  for (std::size_t i = 0; i < std::min(places_mm.size(), robots.size()); ++i) {
+    all[robots[i]]["at"] = place(places_mm[i]);
   }
   return all;
+}
+Scenario starts_in_trouble(const Obligation& o, const std::vector<std::string>& robots) {
+  return starts_at(o, {{o.place_mm->first, o.place_mm->second}}, robots);
 }
 
 // A recovery that lasts for ever takes its time: until it has spent what robots had at a fence, of
@@ -43,10 +51,8 @@ std::vector<Scenario> aimed_at_rest(const Obligation& o, const std::vector<std::
   Scenario rests = Scenario::object();
   rests["about"] = o.monitor;
   rests["duration_s"] = 3600;
+  if (o.place_mm) rests["starts"] = starts_in_trouble(o, robots);
   for (const std::string& robot : robots) rests["starts"][robot]["battery"] = 0.4;
-  if (o.place_mm) {
-    rests["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
-  }
   Scenario pushed = rests;
   pushed["adversary"] = "push-at-fence";
   pushed["runs"] = 6;
@@ -62,7 +68,7 @@ Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
   there["about"] = o.monitor;
   there["runs"] = 12;  // as many as there are adversaries
   there["duration_s"] = 60;
-  there["starts"] = starts_at(start, robots);
+  there["starts"] = starts_at(o, start, robots);
   if (start.battery_ppm) {
     there["starts"][robots.front()]["battery"] =
         std::min(1.0, static_cast<double>(*start.battery_ppm) / full_ppm);
@@ -91,7 +97,7 @@ Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
   if (!errors_last) there["noise"] = "none";
   there["return_within_s"] = kept_s;
   there["duration_s"] = kept_s + 1;
-  there["starts"] = starts_at(start, robots);
+  there["starts"] = starts_at(o, start, robots);
   return there;
 }
 
@@ -127,12 +133,12 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
     about["runs"] = 20;
     if (o.place_mm) {
       Scenario there = about;
-      there["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+      there["starts"] = starts_in_trouble(o, robots);
       all.push_back(std::move(there));
     }
     for (const verify::Start& start : o.starts) {
       Scenario there = about;
-      there["starts"] = starts_at(start, robots);
+      there["starts"] = starts_at(o, start, robots);
       all.push_back(there);
       there["ages"] = "unequal";  // that the motion may have changed in between counts as well
       all.push_back(std::move(there));

@@ -89,6 +89,8 @@ struct Obligation {
   // Of what is refuted: from where it may be seen, of `keeps` that the recovery leads out of what
   // the property says; the likeliest first.
   std::vector<Start> starts{};
+  // Of what is refuted of a fleet: where robots begin of which none of these places says it, in mm.
+  std::vector<std::vector<std::int64_t>> aside_mm{};
   // Of `keeps`, refuted: inputs that stay as they are, or agents that stay where they are, have the
   // recovery drive until the charge is gone.
   bool unending = false;

@@ -12,6 +12,7 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/ir/linear.h"
+#include "compiler/verify/aside.h"
 #include "compiler/verify/centres.h"
 
 namespace rtac::verify {
@@ -212,27 +213,47 @@ bool asks_for_room(const Subject& s, const Obligation& o) {
          analysis::sure_separation_mm(s.decision) > 0;
 }
 
+// Of runs that are about some robots of a fleet; of who waits for whom, nobody else has a part in
+// it.
+void put_others_aside(const Subject& s, Obligation& o) {
+  if (o.lock_up) return;
+  std::vector<std::vector<std::int64_t>> begins;
+  for (const Start& start : o.starts) {
+    if (!start.place_mm.empty()) begins.push_back(start.place_mm);
+    begins.insert(begins.end(), start.others_mm.begin(), start.others_mm.end());
+  }
+  if (o.place_mm && !s.decision.body.in_space) {
+    begins.push_back({o.place_mm->first, o.place_mm->second});
+  }
+  o.aside_mm = aside_of(s, begins);
+}
+
+void add_own_starts(const Subject& s, Obligation& o) {
+  add_damage(s, o);
+  const auto m = std::ranges::find(s.decision.monitors, o.monitor, &ir::Monitor::name);
+  const bool own = m != s.decision.monitors.end();
+  if (own && is_refuted_by(o, diag::Code::recovery_spends_charge)) doubt_charge(s, *m, o);
+  // anywhere
+  if (o.kind == Kind::p2b && is_refuted_by(o, diag::Code::speed_limit_unkept)) {
+    o.starts.emplace_back();
+  }
+  if (s.decision.body.in_space) return;
+  if (own && is_refuted_by(o, diag::Code::recovery_stands)) add_slow_places(s, *m, o);
+  if (own && is_refuted_by(o, diag::Code::others_unkept) && s.decision.robots > 1) {
+    add_passing_by(s, *m, o);
+  }
+  if (!asks_for_room(s, o)) return;
+  if (auto start = far_apart(s)) o.starts.push_back(std::move(*start));
+}
+
 }  // namespace
 
 void add_starts(const Subject& s, Decision& decision) {
   if (s.decision.on_plan) return;
   for (Obligation& o : decision.obligations) {
     if (o.status != Status::refuted) continue;
-    add_damage(s, o);
-    const auto m = std::ranges::find(s.decision.monitors, o.monitor, &ir::Monitor::name);
-    const bool own = m != s.decision.monitors.end();
-    if (own && is_refuted_by(o, diag::Code::recovery_spends_charge)) doubt_charge(s, *m, o);
-    // anywhere
-    if (o.kind == Kind::p2b && is_refuted_by(o, diag::Code::speed_limit_unkept)) {
-      o.starts.emplace_back();
-    }
-    if (s.decision.body.in_space) continue;
-    if (own && is_refuted_by(o, diag::Code::recovery_stands)) add_slow_places(s, *m, o);
-    if (own && is_refuted_by(o, diag::Code::others_unkept) && s.decision.robots > 1) {
-      add_passing_by(s, *m, o);
-    }
-    if (!asks_for_room(s, o)) continue;
-    if (auto start = far_apart(s)) o.starts.push_back(std::move(*start));
+    add_own_starts(s, o);
+    put_others_aside(s, o);
   }
 }
 
