@@ -23,14 +23,12 @@ double between(const At& a, const At& b) {
   return std::hypot(analysis::outline::norm(a.p - b.p), a.z - b.z);
 }
 
-std::int64_t spare_of(const Subject& s) {
-  return std::max(s.decision.standing_mm, start_spare_mm);
-}
-
-std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins) {
+// Of a grid, and corners, as a narrow region may have no other places.
+std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins,
+                             std::int64_t spare_mm) {
   Region holds = Region::everywhere();
   for (const ir::Monitor& m : s.decision.monitors) {
-    holds = holds.intersect(centres_of(s, m, spare_of(s)));
+    holds = holds.intersect(centres_of(s, m, spare_mm));
   }
   if (holds.empty()) return {};
   const Outline outline = Outline::of(holds);
@@ -40,10 +38,13 @@ std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   };
   for (const At& at : begins) reach(at.p);
-  for (const auto& edge : outline.edges()) reach(edge.a);
+  std::vector<At> all;
+  for (const auto& edge : outline.edges()) {
+    all.push_back({edge.a});
+    reach(edge.a);
+  }
   low = low - P{around_mm, around_mm};
   high = high + P{around_mm, around_mm};
-  std::vector<At> all;
   for (int n = 0; n < places_across * places_across; ++n) {
     const double across = (n % places_across + 0.5) / places_across;
     const double up = (double(n / places_across) + 0.5) / places_across;
@@ -53,8 +54,8 @@ std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins) {
   return all;
 }
 
-std::vector<At> in_space(const Subject& s) {
-  const double body_mm = double(s.decision.body.radius_mm), spare_mm = double(spare_of(s));
+std::vector<At> in_space(const Subject& s, double spare_mm) {
+  const double body_mm = double(s.decision.body.radius_mm);
   std::vector<Says> says;
   for (const ir::Monitor& m : s.decision.monitors) says.push_back(says_of(s, m));
   std::vector<At> all = grid_of(says, body_mm, body_mm + spare_mm);
@@ -63,6 +64,28 @@ std::vector<At> in_space(const Subject& s) {
         says, [&](const Says& each) { return each.holds(at, body_mm, spare_mm); });
   });
   return all;
+}
+
+// As far from each other, and from those that have their places, as there is room; all of them, or
+// as many as there is room for.
+std::vector<At> spread(const std::vector<At>& free, const std::vector<At>& taken, std::size_t count,
+                       double least_mm) {
+  // how far each is from all that are taken
+  std::vector<double> away(free.size(), std::numeric_limits<double>::infinity());
+  const auto keep_off = [&](const At& other) {
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      away[i] = std::min(away[i], between(free[i], other));
+    }
+  };
+  for (const At& at : taken) keep_off(at);
+  std::vector<At> found;
+  while (found.size() < count) {
+    const auto farthest = std::ranges::max_element(away);
+    if (farthest == away.end() || *farthest < least_mm) break;
+    found.push_back(free[static_cast<std::size_t>(farthest - away.begin())]);
+    keep_off(found.back());
+  }
+  return found;
 }
 
 }  // namespace
@@ -74,26 +97,20 @@ std::vector<std::vector<std::int64_t>> aside_of(
   for (const auto& mm : begins) {
     taken.push_back({{double(mm[0]), double(mm[1])}, mm.size() > 2 ? double(mm[2]) : 0});
   }
+  const auto count = static_cast<std::size_t>(s.decision.robots - 1);
+  const double apart_mm =
+      double(2 * s.decision.body.radius_mm + analysis::standoffs_of(s.decision).separation_mm);
   const bool space = s.decision.body.in_space;
-  const std::vector<At> free = space ? in_space(s) : in_the_plane(s, taken);
-  const double least_mm = double(2 * (s.decision.body.radius_mm + spare_of(s)) +
-                                 analysis::standoffs_of(s.decision).separation_mm);
-  // how far each is from all that are taken
-  std::vector<double> away(free.size(), std::numeric_limits<double>::infinity());
-  const auto keep_off = [&](const At& other) {
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      away[i] = std::min(away[i], between(free[i], other));
-    }
-  };
-  for (const At& at : taken) keep_off(at);
+  std::vector<At> found;
+  for (const std::int64_t spare_mm : {s.decision.standing_mm, start_spare_mm, std::int64_t{0}}) {
+    found = spread(space ? in_space(s, double(spare_mm)) : in_the_plane(s, taken, spare_mm), taken,
+                   count, apart_mm + 2 * double(spare_mm));
+    if (found.size() == count) break;
+  }
   std::vector<std::vector<std::int64_t>> aside;
-  while (aside.size() + 1 < static_cast<std::size_t>(s.decision.robots)) {
-    const auto farthest = std::ranges::max_element(away);
-    if (farthest == away.end() || *farthest < least_mm) break;
-    const At& at = free[static_cast<std::size_t>(farthest - away.begin())];
+  for (const At& at : found) {
     aside.push_back({std::llround(at.p.x), std::llround(at.p.y)});
     if (space) aside.back().push_back(std::llround(at.z));
-    keep_off(at);
   }
   return aside;
 }

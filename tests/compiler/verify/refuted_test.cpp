@@ -2,6 +2,7 @@
 // names is refuted, and a recorded run is played again to what shows it: the violation, or the time
 // in which control is not given back, or nothing is decided.
 #include <cstdlib>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -19,6 +20,12 @@ struct Expected {
     return "violated: " + monitor;
   }
 };
+// A fleet of one robot.
+const std::regex& of_one() {
+  static const std::regex text("\\nfleet (\\w+) : (\\w+);");
+  return text;
+}
+
 // `// refuted: P2a of walls`
 Expected expected_of(const std::string& text) {
   const std::string start = "// refuted: ";
@@ -39,12 +46,8 @@ class Shown : public InFolder {
     ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
   }
 };
-class Refuted : public Shown, public ::testing::WithParamInterface<std::string> {};
-
-TEST_P(Refuted, IsRefutedAndShown) {
-  const std::string path =
-      std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/" + GetParam() + ".rta";
-  const Expected e = expected_of(read(path));
+// The specification refutes what its first line names and nothing else, and the run shows it.
+void is_refuted_and_shown(const std::string& path, const Expected& e) {
   const Outcome o = rtac({"verify", path, "--format", "json", "-o", "certificates"});
   ASSERT_EQ(o.status, exit_violation) << o.out << o.err;
   bool found = false;
@@ -69,6 +72,29 @@ TEST_P(Refuted, IsRefutedAndShown) {
   const Outcome again = rtac({"sim", path, "--replay", trace});
   EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
   EXPECT_NE(again.out.find(e.shown()), std::string::npos) << again.out;
+}
+
+const std::string& folder() {
+  static const std::string path = std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/";
+  return path;
+}
+
+class Refuted : public Shown, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(Refuted, IsRefutedAndShown) {
+  const std::string path = folder() + GetParam() + ".rta";
+  is_refuted_and_shown(path, expected_of(read(path)));
+}
+
+// Whoever else is about stands aside, and it goes wrong all the same.
+class RefutedOfTwo : public Shown, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(RefutedOfTwo, IsRefutedAndShown) {
+  const std::string text = read(folder() + GetParam() + ".rta");
+  for (const char* shared : {"parts.rta", "space_parts.rta"})
+    write(shared, read(folder() + shared));
+  write("two.rta", std::regex_replace(text, of_one(), "\nfleet $1, another : $2;"));
+  is_refuted_and_shown("two.rta", expected_of(text));
 }
 
 // A retreat that knows nothing of the pond: where its own zone has room it leads no further, which
@@ -391,14 +417,25 @@ decision fly for Rover { advanced drive; period 50 ms; priority walls > apart; }
 std::vector<std::string> names() {
   const std::set<std::string> shared = {"battery", "parts", "space_parts"};
   std::vector<std::string> all;
-  for (const auto& entry :
-       fs::directory_iterator(std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted")) {
+  for (const auto& entry : fs::directory_iterator(folder())) {
     const std::string name = entry.path().stem().string();
     if (shared.count(name) == 0) all.push_back(name);
   }
   std::sort(all.begin(), all.end());
   return all;
 }
+// Of one robot, which needs no place of its own.
+std::vector<std::string> names_of_one() {
+  std::vector<std::string> all;
+  for (const std::string& name : names()) {
+    const std::string text = read(folder() + name + ".rta");
+    const bool sites = text.find("\nsite ") != std::string::npos;
+    if (!sites && std::regex_search(text, of_one())) all.push_back(name);
+  }
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Specs, RefutedOfTwo, ::testing::ValuesIn(names_of_one()),
+                         [](const auto& spec) { return spec.param; });
 INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(names()),
                          [](const auto& spec) { return spec.param; });
 
