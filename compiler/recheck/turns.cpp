@@ -145,7 +145,7 @@ class Turns {
     bool other = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) {
       other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
-              ((!zones.empty() || is_height(e)) && is_choice(e) && sema::speaks_of_robot(e));
+              ((!zones.empty() || is_height(e)) && is_choice(e));
     });
     if (other) return false;
     return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
@@ -182,10 +182,16 @@ class Turns {
            keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
   }
   // Of zones, one side of it may be what rest settles, and another one what holds. Without any,
-  // rest settles every side that is not about inputs alone.
+  // rest settles every side that is not about inputs alone. Where inputs are all that the other
+  // sides ask, one that is settled holds whatever they say.
   static bool is_choice(const sema::Expr& e) {
     const auto* logic = std::get_if<sema::Logic>(&e.node);
-    return logic != nullptr && logic->op != sema::LogicOp::logical_and;
+    if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return false;
+    const auto of_robot = std::ranges::count_if(
+        logic->operands, [](const sema::ExprPtr& each) { return sema::speaks_of_robot(*each); });
+    if (of_robot == 0) return false;
+    if (logic->op == sema::LogicOp::logical_or) return of_robot > 1;
+    return logic->op != sema::LogicOp::implies || sema::speaks_of_robot(*logic->operands.front());
   }
   // Where it leads, which is proved for one of the monitors that it recovers for.
   [[nodiscard]] const Claim* way_back(std::size_t i) const {

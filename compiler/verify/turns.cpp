@@ -6,8 +6,10 @@
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/paces.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
@@ -104,13 +106,53 @@ struct LedOn {
   bool kept;        // the recovery keeps what it says
 };
 
+// The zones of a property that holds wherever all of them are as clear as they are to be, whatever
+// inputs say of when they count. False: it is no such property.
+bool places_whatever_told(const Subject& s, const ir::Block& block, ir::ValueId id,
+                          std::vector<ir::ZoneIndex>& zones) {
+  const ir::Op& op = block[id].op;
+  const auto of = [&](ir::ValueId side) { return places_whatever_told(s, block, side, zones); };
+  // who only asks inputs is not about who drives
+  if (analysis::told(block, id)) return true;
+  if (const auto* both = std::get_if<ir::And>(&op)) return of(both->a) && of(both->b);
+  if (const auto* either = std::get_if<ir::Or>(&op)) {
+    if (analysis::told(block, either->a)) return of(either->b);
+    return analysis::told(block, either->b) && of(either->a);
+  }
+  if (std::holds_alternative<ir::Not>(op) || std::holds_alternative<ir::ZoneThere>(op))
+    return false;
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return true;
+  const auto bound = ir::lower_bound(block, *compare, s.decision.facts.params);
+  if (bound && bound->leaf.kind == ir::Leaf::Kind::clearance) {
+    zones.push_back(ir::ZoneIndex{bound->leaf.table});
+    return true;
+  }
+  return std::ranges::none_of(ir::linear_form(block, *compare).terms, [](const auto& term) {
+    return term.first.kind == ir::Leaf::Kind::clearance;
+  });
+}
+
+// How clear of a zone a robot is given back by every monitor that asks for it.
+std::int64_t returned_mm(const Subject& s, ir::ZoneIndex zone) {
+  std::int64_t most_mm = 0;
+  for (const ir::Monitor& m : s.decision.monitors) {
+    if (!m.lookahead.duration) continue;
+    const std::int64_t back_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+    for (const analysis::Standoff& each :
+         analysis::fence_standoffs(m.property, s.decision.facts.params)) {
+      if (each.zone == zone) most_mm = std::max(most_mm, back_mm + each.mm);
+    }
+  }
+  return most_mm;
+}
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
 // for the zones of j, which hold that one, as is what its own monitor has when it lets go, unless
 // it is then led on as before: by the same recovery, or by one that neither takes over from it.
 // Zones that come and go make no difference at the site that its own route leads on to (5030).
-bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, const LedOn& led_on,
-             std::size_t i, std::size_t j) {
+bool settles(const Subject& s, bool leads, const LedOn& led_on, std::size_t i, std::size_t j) {
   if (i == j) return true;
   const ir::Monitor& m = s.decision.monitors[j];
   const Atoms atoms = atoms_of(m.property);
@@ -125,15 +167,10 @@ bool settles(const Subject& s, const std::vector<Need>& needs, bool leads, const
     return led_on.by_its_own && led_on.kept && last.kind == ir::RecoveryKind::route &&
            control_returns(s, j).status == Status::proved;
   }
-  return std::all_of(m.property.values.begin(), m.property.values.end(),
-                     [](const ir::Value& v) {
-                       return !std::holds_alternative<ir::ZoneThere>(v.op) &&
-                              !std::holds_alternative<ir::Or>(v.op) &&
-                              !std::holds_alternative<ir::Not>(v.op);
-                     }) &&
-         std::all_of(needs.begin(), needs.end(), [&](const Need& need) {
-           const auto zones = analysis::fences_of(m.property, s.decision.facts.params);
-           if (std::find(zones.begin(), zones.end(), need.zone) == zones.end()) return true;
+  std::vector<ir::ZoneIndex> zones;
+  return places_whatever_told(s, m.property, m.property.result, zones) &&
+         std::ranges::all_of(zones, [&](ir::ZoneIndex zone) {
+           const Need need{zone, returned_mm(s, zone)};
            return leaves(s, last.zone, last.return_clearance_mm, need) &&
                   (led_on.as_before || has_early(s, s.decision.monitors[i], need));
          });
@@ -278,8 +315,6 @@ bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::s
 }  // namespace
 
 protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix) {
-  // what `return when` asks for besides is no matter of the derived condition
-  const std::vector<Need> needs = joint_needs_of(s).zones;
   protocol::Arbitration known;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     known.keeps.emplace_back();
@@ -296,7 +331,7 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
       const bool own = leading.name == next.name;
       const bool alike = lead_the_same_way(leading, next) && known.keeps[i][j] && known.keeps[j][i];
       const LedOn led_on{own, own || alike, known.keeps[i][j]};
-      known.settles.back().push_back(settles(s, needs, leads, led_on, i, j));
+      known.settles.back().push_back(settles(s, leads, led_on, i, j));
     }
   }
   return known;

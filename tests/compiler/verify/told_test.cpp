@@ -226,6 +226,48 @@ decision fly for Quad { advanced policy; period 50 ms; priority walls > storm; )
             Statuses{"unknown"});
 }
 
+// Inputs say when a place counts: where the other recovery leads it holds whatever they say, so
+// that neither takes over from the other for ever. Where that need not be it is not known to end.
+TEST_F(Told, APlaceThatInputsAskForIsSettledWhereTheOtherRecoveryLeads) {
+  const auto page = [](const std::string& property, const std::string& leads) {
+    return R"(spec works;
+zone hall = rectangle (0 m, 0 m) to (12 m, 9 m);
+zone pit = rectangle (8 m, 5 m) to (9 m, 6 m);
+zone free = hall - grow(pit, 30 cm);
+zone east = rectangle (7 m, 0 m) to (12 m, 4 m);
+input alarm : bool max_age 200 ms;
+input load : real [kg] in 0 .. 50 kg error 0.5 kg max_age 1 s;
+robot Cart {
+  body radius 20 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet c : Cart;
+controller policy : advanced for Cart extern;
+controller back : safe for Cart = retreat within free speed 0.3 m/s;
+controller away : safe for Cart = )" +
+           leads + R"( within free speed 0.25 m/s;
+monitor walls for r : Cart { "R1: in the hall, off the pit" always r inside free; recover back; }
+monitor told for r : Cart { "R2: as it is told" always )" +
+           property + R"(; recover away; }
+decision drive for Cart { advanced policy; period 50 ms; priority walls > told; }
+)";
+  };
+  for (const char* property :
+       {"alarm implies distance(r, pit) >= 20 cm", "distance(r, pit) >= 20 cm or load <= 10 kg",
+        "(alarm or load >= 30 kg) implies distance(r, pit) >= 15 cm and r.speed <= 0.6 m/s",
+        "not alarm and distance(r, pit) >= 20 cm"}) {
+    expect_proved(page(property, "retreat"));
+  }
+  expect_proved(page("alarm implies distance(r, pit) >= 20 cm", "loiter"));
+  const Outcome o = verified(page("alarm implies r inside east", "retreat"), {"--format", "json"});
+  EXPECT_NE(statuses(o.out, "switching", ""), Statuses{"proved"}) << o.out;
+  EXPECT_NE(o.status, exit_clean) << o.out;
+}
+
 // A landing that ends too low for where it is led back in: the least height that is high enough is
 // said, and is.
 TEST_F(Told, TheHeightToLandAtIsSaid) {
