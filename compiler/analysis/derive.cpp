@@ -192,11 +192,13 @@ class Deriver {
                  m.hold_reason.empty() && !ir::acknowledged(decision, m.recovery.name, m.name);
         });
   }
-  // A look-ahead that is too short is built as if its author had accepted that.
+  // A look-ahead that is too short, and who does not lead out of a zone before it comes or goes, is
+  // built as if its author had accepted that.
   bool could_be_built() const {
     const auto& all = diagnostics_.all();
     return std::all_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
-      return d.code == Code::lookahead_too_short ||
+      return d.code == Code::lookahead_too_short || d.code == Code::window_without_way_out ||
+             d.code == Code::window_may_pass || d.code == Code::window_too_short ||
              diag::info(d.code).severity != diag::Severity::error;
     });
   }
@@ -589,7 +591,7 @@ class Deriver {
         [this](ir::ZoneIndex zone) -> const EvaluatedZone& { return zone_of(zone); }, connector_mm};
     for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
       plan_windows(spec_, spec_.decisions[i], out_.module, out_.module.decisions[i], tables,
-                   diagnostics_);
+                   trials(), diagnostics_);
     }
   }
   const EvaluatedZone& zone_of(ir::ZoneIndex index) const {

@@ -16,7 +16,9 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/timing.h"
 #include "compiler/analysis/widening.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/analysis/zone_trials.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/words.h"
 #include "compiler/support/words.h"
@@ -116,7 +118,10 @@ class Recoveries {
         monitor_.recovery.kind == ir::RecoveryKind::external && !monitor_.recovery.claims;
     const bool reported = asks.other || misplaced_ || unclaimed;
     if (written_.hold_reason && !holds && !may_wait) return reported ? void() : unneeded();
-    if (written_.hold_reason || !holds) return;
+    // nor does it lead out of what comes and goes (5030), unless that is accepted
+    const bool stays_in = has_windows(monitor_.property) &&
+                          !ir::acknowledged(decision_, monitor_.recovery.name, monitor_.name);
+    if (written_.hold_reason || !holds || stays_in) return;
     if (braked) return breaks_its_claim();
     if (brakes && holds_standing(monitor_)) return waits_slow(waits);
     const ir::Motion& any = decision_.motions[0];

@@ -8,6 +8,8 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/analysis/site_room.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/ir/acknowledged.h"
@@ -197,12 +199,14 @@ std::int64_t longest_us(const ir::Schedule& schedule) {
 class Planner {
  public:
   Planner(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
-          ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics)
+          ir::Decision& decision, const WindowTables& tables, Trials* trials,
+          diag::Engine& diagnostics)
       : spec_(spec),
         kind_(spec[from.kind]),
         module_(module),
         decision_(decision),
         tables_(tables),
+        trials_(trials),
         diagnostics_(diagnostics) {}
 
   void run() {
@@ -307,12 +311,12 @@ class Planner {
     Rational room_m(decision_.body.radius_mm + asked_most_mm(monitor), 1000);
     room_m.canonicalize();
     std::optional<geometry::Point> hidden;
-    for (const ir::SiteTable::Place& home : module_[way.site].places) {
+    const ir::SiteTable& site = module_[way.site];
+    const ir::SiteTable::Place* blind = nullptr;
+    for (const ir::SiteTable::Place& home : site.places) {
       if (hidden || !straight) break;
-      Rational x_m(home.x_mm, 1000), y_m(home.y_mm, 1000);
-      x_m.canonicalize();
-      y_m.canonicalize();
-      hidden = hidden_from(left, {x_m, y_m}, own, room_m);
+      hidden = hidden_from(left, point_of(home.x_mm, home.y_mm), own, room_m);
+      blind = &home;
     }
     if (straight && !hidden) return;
     diag::Diagnostic d{};
@@ -322,16 +326,51 @@ class Planner {
                 "` does not hold, whether `" + zone_name(monitor) + "` is there or not";
     if (straight) {
       d.notes.push_back({std::nullopt, "such as from beside " + text_of(*hidden) +
-                                           ", straight to `" + module_[way.site].name + "`"});
+                                           ", straight to `" + site.name + "`"});
     }
     d.help =
-        "a zone of ways of which a rectangle is left without it works, such as a strip beside "
-        "it" +
-        std::string(straight ? ", or a site that sees all of what is left, past its corners by " +
-                                   metres(decision_.body.radius_mm + asked_most_mm(monitor))
-                             : "") +
-        "; or `acknowledge " + way.name + " may break " + monitor.name + " \"why\"`";
+        "a zone of ways, and of what keeps robots inside, of which a rectangle is left without it "
+        "works, such as a strip beside it" +
+        (straight ? site_that_sees(monitor, *blind, left) : "") + "; or `acknowledge " + way.name +
+        " may break " + monitor.name + " \"why\"`";
     diagnostics_.report(std::move(d));
+  }
+  static geometry::Point point_of(std::int64_t x_mm, std::int64_t y_mm) {
+    return {metres_of(x_mm), metres_of(y_mm)};
+  }
+  // ", or a place with which it works": one that `rtac verify` finds in front of every corner
+  // (P2a), and clear of the walls, where ways bend. "": none is found.
+  [[nodiscard]] std::string site_that_sees(const ir::Monitor& monitor,
+                                           const ir::SiteTable::Place& blind,
+                                           const geometry::Region& left) const {
+    constexpr std::int64_t looks_most = 4'000, grid_mm = 10;
+    const ir::SiteTable& site = module_[monitor.recovery.site];
+    const auto* const written = written_place(spec_, site, blind);
+    if (trials_ == nullptr || written == nullptr) return "";
+    const ir::Cells& cells = module_[monitor.recovery.zone].cells;
+    const geometry::Region& own = tables_.zone(monitor.recovery.zone).exact;
+    const std::int64_t route_mm = monitor.recovery.route_clearance_mm;
+    const Rational room_m =
+        metres_of(std::max(route_mm, decision_.body.radius_mm + asked_most_mm(monitor)) +
+                  cells.cell_mm / 2 + grid_mm);
+    const std::int64_t least_mm =
+        std::max(monitor.recovery.return_clearance_mm, route_mm + cells.cell_mm + grid_mm);
+    const auto count = static_cast<std::int64_t>(cells.clearance_mm_lo.size());
+    const std::int64_t step = 1 + count / looks_most;
+    std::vector<OtherPlace> seeing;
+    for (std::int64_t at = 0; at < count; at += step) {
+      const std::int64_t x_mm =
+          cells.origin_x_mm + (at % cells.columns) * cells.cell_mm + cells.cell_mm / 2;
+      const std::int64_t y_mm =
+          cells.origin_y_mm + (at / cells.columns) * cells.cell_mm + cells.cell_mm / 2;
+      const std::int64_t clear_mm = cells.clearance_mm_lo[static_cast<std::size_t>(at)];
+      if (clear_mm < least_mm) continue;
+      if (hidden_from(left, point_of(x_mm, y_mm), own, room_m)) continue;
+      seeing.push_back({{x_mm, y_mm}, clear_mm});
+    }
+    const auto works = place_that_works(*trials_, fault_of(Code::window_may_pass, monitor.source),
+                                        written->range, std::move(seeing));
+    return works ? ", or `" + site.name + "` at " + place_text(works->at.x_mm, works->at.y_mm) : "";
   }
   static std::string text_of(const geometry::Point& p) {
     return place_text(floor_to_int(Rational(p.x * 1000)), floor_to_int(Rational(p.y * 1000)));
@@ -444,6 +483,7 @@ class Planner {
   const ir::Module& module_;
   ir::Decision& decision_;
   const WindowTables& tables_;
+  Trials* trials_;
   diag::Engine& diagnostics_;
 };
 
@@ -471,9 +511,10 @@ bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
 }
 
 void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
-                  ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics) {
+                  ir::Decision& decision, const WindowTables& tables, Trials* trials,
+                  diag::Engine& diagnostics) {
   if (decision.on_plan) return;
-  Planner(spec, from, module, decision, tables, diagnostics).run();
+  Planner(spec, from, module, decision, tables, trials, diagnostics).run();
 }
 
 }  // namespace rtac::analysis

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "compiler/analysis/trials.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
@@ -19,9 +20,11 @@ struct WindowTables {
 };
 
 // Sets `leave_us`, `leave_least_mm` and `leave_beside_mm` of the recoveries of monitors that speak
-// of such zones; reports 5030, 5031 and 5032. Needs the clearances of the recoveries.
+// of such zones; reports 5030, 5031 and 5032, with places that `trials` has found to work. Needs
+// the clearances of the recoveries.
 void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
-                  ir::Decision& decision, const WindowTables& tables, diag::Engine& diagnostics);
+                  ir::Decision& decision, const WindowTables& tables, Trials* trials,
+                  diag::Engine& diagnostics);
 
 // Whether a property speaks of a zone that is there at certain times.
 bool has_windows(const ir::Block& property);

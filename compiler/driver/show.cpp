@@ -190,6 +190,11 @@ class Showing {
   static bool accepted(const sema::Decision& d, sema::MonitorId id) {
     return std::ranges::any_of(d.acknowledgements, [&](const auto& a) { return a.monitor == id; });
   }
+  // A zone comes or goes while nobody leads out, whoever drives.
+  static bool passes(const Obligation& o) {
+    return o.method == verify::by_diagnostic(diag::Code::window_may_pass) ||
+           o.method == verify::by_diagnostic(diag::Code::window_without_way_out);
+  }
   // What counts is that its own recovery drives into the violation, and none of those of which it
   // is accepted that they may break the property.
   void blame(const verify::Decision& d, const Obligation& o, Scenario& scenario) const {
@@ -210,7 +215,7 @@ class Showing {
     if (o.declared) return;  // whoever keeps it waiting, its own recovery drives in the end
     if (o.kind == Kind::keeps) {
       scenario["driven_by"] = o.recovery;
-    } else if (o.kind == Kind::p2a && own != nullptr && own->recover) {
+    } else if (o.kind == Kind::p2a && own != nullptr && own->recover && !passes(o)) {
       scenario["driven_by"] = (*c_.spec)[*own->recover].name;
     }
   }

@@ -190,9 +190,11 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 }
 
 // What is not shown to be kept need not be broken: a recovery may never lead where it could be, nor
-// drive as fast before somebody takes over, and robots may see each other early enough.
+// drive as fast before somebody takes over, robots may see each other early enough, and who is kept
+// waiting may still get out in time.
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
+         d.code == Code::window_may_pass ||
          analysis::lands_near_the_limit(d) ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }

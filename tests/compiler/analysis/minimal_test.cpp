@@ -281,6 +281,15 @@ std::vector<Offer> offers() {
        }},
       {"within a zone that is `[^`]*(?:grow|shrink)\\(\\w+, " + number + " m\\)` works", "m", 1000,
        Beyond::less, moved_within},
+      {", or `\\w+` at (\\([0-9.]+ m, [0-9.]+ m\\))", "", 0, Beyond::nothing,
+       [](const About& a, const std::string& value) {
+         const std::string site = first_group(a.finding.help, "`(\\w+)` at \\(");
+         const Span s = statement_before(a.text, "site +" + site + "\\b", a.text.size());
+         return a.text.substr(0, s.begin) +
+                std::regex_replace(a.text.substr(s.begin, s.end - s.begin),
+                                   std::regex("\\([^()]*\\);$"), value + ";") +
+                a.text.substr(s.end);
+       }},
       {"the place (\\([0-9.]+ m, [0-9.]+ m\\)) works", "", 0, Beyond::nothing,
        [](const About& a, const std::string& value) {
          const std::regex re("\\([^()]*\\);$");

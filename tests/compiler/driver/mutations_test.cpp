@@ -155,7 +155,7 @@ TEST_P(Mutations, EveryDamagedTextIsAcceptedOrRefusedWithAPlace) {
     if (!c.module) continue;
     ++accepted;
     EXPECT_FALSE(
-        codegen::generate(std::move(*c.module), *c.spec, {"spec", "spec.rta", ""}).empty());
+        codegen::generate(std::move(*c.module), *c.spec, {"spec", "spec.rta", "", ""}).empty());
   }
   // a session in which nothing or everything is accepted would test one half only
   EXPECT_GT(accepted, tried / 50);
