@@ -119,7 +119,9 @@ Json recovery(const ir::Decision& d, const ir::Recovery& r, const sema::RobotKin
   if (!ir::moves(r.kind) && !external) return j;
   j["zone"] = static_cast<std::uint32_t>(r.zone);
   if (r.kind == ir::RecoveryKind::route) j["site"] = static_cast<std::uint32_t>(r.site);
-  j["speed_mps"] = metres(r.speed_mmps);
+  // who claims nothing drives as fast as the robot may
+  const bool any_speed = external && !r.claims;
+  j["speed_mps"] = metres(any_speed ? d.motions.front().speed_mmps : r.speed_mmps);
   if (external) return j;
   j["route_clearance_m"] = metres(r.route_clearance_mm);
   j["return_clearance_m"] = metres(r.return_clearance_mm);
