@@ -1,10 +1,10 @@
 #include "compiler/analysis/windows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
+#include "compiler/analysis/at_its_worst.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/recovery_places.h"
@@ -13,7 +13,6 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/ir/acknowledged.h"
-#include "compiler/ir/linear.h"
 #include "compiler/ir/schedule.h"
 #include "compiler/support/words.h"
 
@@ -32,147 +31,6 @@ std::int64_t whole_ms_us(const Rational& seconds) {
 }
 std::string place_text(std::int64_t x_mm, std::int64_t y_mm) {
   return "(" + metres(x_mm) + ", " + metres(y_mm) + ")";
-}
-
-// Signed distance of a place to the boundary of a zone, rounded down; negative outside.
-std::int64_t clearance_mm(const ir::ZoneTable& zone, std::int64_t x_mm, std::int64_t y_mm) {
-  double least = 1e18;
-  bool inside = false;
-  for (const ir::Edge& e : zone.edges) {
-    const double ax = double(e.ax) - double(x_mm), ay = double(e.ay) - double(y_mm);
-    const double dx = double(e.bx) - e.ax, dy = double(e.by) - e.ay;
-    const double t = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    least = std::min(least, std::hypot(ax + t * dx, ay + t * dy));
-    if ((e.ay > y_mm) == (e.by > y_mm)) continue;
-    const double cross = dx * (double(y_mm) - e.ay) - dy * (double(x_mm) - e.ax);
-    if ((cross > 0) == (dy > 0)) inside = !inside;
-  }
-  // 1 mm: what the doubles round
-  const auto mm = static_cast<std::int64_t>(std::floor(least)) - 1;
-  return inside ? mm : -mm - 2;
-}
-
-// What a property holds places against, with every zone that comes or goes as it is at its worst.
-class AtItsWorst {
- public:
-  // `clearance_mm`: beyond what the property asks for.
-  AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Monitor& monitor,
-             std::int64_t clearance_mm)
-      : module_(module),
-        decision_(decision),
-        property_(monitor.property),
-        way_(monitor.recovery),
-        clearance_mm_(clearance_mm) {}
-
-  // Whether a robot may stay there; what does not depend on the place is taken to hold.
-  [[nodiscard]] bool allows(std::int64_t x_mm, std::int64_t y_mm) const {
-    return allows(property_.result, x_mm, y_mm);
-  }
-
- private:
-  [[nodiscard]] bool allows(ir::ValueId id, std::int64_t x_mm, std::int64_t y_mm) const {
-    const ir::Op& op = property_[id].op;
-    if (std::holds_alternative<ir::ZoneThere>(op)) return false;
-    if (const auto* v = std::get_if<ir::Not>(&op)) {
-      return !std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
-    }
-    if (const auto* v = std::get_if<ir::And>(&op)) {
-      return allows(v->a, x_mm, y_mm) && allows(v->b, x_mm, y_mm);
-    }
-    if (const auto* v = std::get_if<ir::Or>(&op)) {
-      return allows(v->a, x_mm, y_mm) || allows(v->b, x_mm, y_mm);
-    }
-    if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
-      const auto bound = ir::lower_bound(property_, *v, decision_.facts.params);
-      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return true;
-      const ir::ZoneIndex zone{bound->leaf.table};
-      const std::int64_t own_mm = std::max<std::int64_t>(bound->need.strictest, 0);
-      const std::int64_t beside_mm =
-          ir::leave_beside_mm(way_, zone, decision_.body.radius_mm + own_mm);
-      return clearance_mm(module_[zone], x_mm, y_mm) >= clearance_mm_ + own_mm + beside_mm;
-    }
-    return true;
-  }
-
-  const ir::Module& module_;
-  const ir::Decision& decision_;
-  const ir::Block& property_;
-  const ir::Recovery& way_;
-  std::int64_t clearance_mm_;
-};
-
-// Where a property holds with every zone that comes or goes at its worst, whatever the standoffs.
-class AllowedAtWorst {
- public:
-  AllowedAtWorst(const ir::Decision& decision, const ir::Block& property,
-                 const WindowTables& tables)
-      : decision_(decision), property_(property), tables_(tables) {}
-
-  [[nodiscard]] geometry::Region region() const { return region(property_.result); }
-
- private:
-  [[nodiscard]] geometry::Region region(ir::ValueId id) const {
-    const ir::Op& op = property_[id].op;
-    if (std::holds_alternative<ir::ZoneThere>(op)) return {};
-    if (const auto* v = std::get_if<ir::Not>(&op)) {
-      const bool there = std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
-      return there ? geometry::Region() : geometry::Region::everywhere();
-    }
-    if (const auto* v = std::get_if<ir::And>(&op)) return region(v->a).intersect(region(v->b));
-    if (const auto* v = std::get_if<ir::Or>(&op)) return region(v->a).unite(region(v->b));
-    const auto* compare = std::get_if<ir::AtLeast>(&op);
-    const auto bound =
-        compare ? ir::lower_bound(property_, *compare, decision_.facts.params) : std::nullopt;
-    if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) {
-      return geometry::Region::everywhere();
-    }
-    return tables_.zone(ir::ZoneIndex(bound->leaf.table)).exact;
-  }
-
-  const ir::Decision& decision_;
-  const ir::Block& property_;
-  const WindowTables& tables_;
-};
-bool is_rectangle(const geometry::Region& region) {
-  const auto parts = region.polygons();
-  if (parts.size() != 1 || !parts[0].holes.empty() || parts[0].outer.size() != 4) return false;
-  const geometry::Ring& ring = parts[0].outer;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const geometry::Point &a = ring[i], &b = ring[(i + 1) % 4];
-    if (a.x != b.x && a.y != b.y) return false;
-  }
-  return true;
-}
-
-bool is_on(const geometry::Ring& ring, const geometry::Point& a, const geometry::Point& b) {
-  const auto off = [](const geometry::Point& from, const geometry::Point& to,
-                      const geometry::Point& p) {
-    return (to.x - from.x) * (p.y - from.y) != (to.y - from.y) * (p.x - from.x);
-  };
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const geometry::Point &from = ring[i], &to = ring[(i + 1) % ring.size()];
-    if (!off(from, to, a) && !off(from, to, b)) return true;
-  }
-  return false;
-}
-// The middle of an edge of what is left of the convex zone `own`, to the line of which `from` is no
-// nearer than `room_m` on the side that is left: who sets out beside it, with so much room, for
-// `from` may come nearer to what ends there. None: whoever has so much room keeps it.
-std::optional<geometry::Point> hidden_from(const geometry::Region& left,
-                                           const geometry::Point& from, const geometry::Region& own,
-                                           const Rational& room_m) {
-  const geometry::Ring walls = own.polygons().front().outer;  // they hide nothing
-  for (const geometry::Ring& ring : left.rings()) {           // the region on their left
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const geometry::Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-      if (is_on(walls, a, b)) continue;
-      const Rational dx = b.x - a.x, dy = b.y - a.y;
-      const Rational across = dx * (from.y - a.y) - dy * (from.x - a.x);  // distance by length
-      if (across > 0 && across * across >= room_m * room_m * (dx * dx + dy * dy)) continue;
-      return geometry::Point{(a.x + b.x) / 2, (a.y + b.y) / 2};
-    }
-  }
-  return std::nullopt;
 }
 
 bool keeps_apart(const ir::Decision& decision) {
@@ -305,7 +163,7 @@ class Planner {
     const ir::Recovery& way = monitor.recovery;
     if (ir::acknowledged(decision_, way.name, monitor.name)) return;
     const geometry::Region& own = tables_.zone(way.zone).exact;
-    const auto left = own.intersect(AllowedAtWorst(decision_, monitor.property, tables_).region());
+    const geometry::Region left = left_at_worst(monitor);
     if (left.contains(own) || is_rectangle(left)) return;
     const bool straight = is_convex(own);
     Rational room_m(decision_.body.radius_mm + asked_most_mm(monitor), 1000);
@@ -328,69 +186,93 @@ class Planner {
       d.notes.push_back({std::nullopt, "such as from beside " + text_of(*hidden) +
                                            ", straight to `" + site.name + "`"});
     }
+    const auto seeing =
+        straight ? site_that_works(monitor, *blind, Code::window_may_pass) : std::nullopt;
     d.help =
         "a zone of ways, and of what keeps robots inside, of which a rectangle is left without it "
         "works, such as a strip beside it" +
-        (straight ? site_that_sees(monitor, *blind, left) : "") + "; or `acknowledge " + way.name +
-        " may break " + monitor.name + " \"why\"`";
+        (seeing ? ", or " + *seeing : "") + "; or `acknowledge " + way.name + " may break " +
+        monitor.name + " \"why\"`";
     diagnostics_.report(std::move(d));
   }
   static geometry::Point point_of(std::int64_t x_mm, std::int64_t y_mm) {
     return {metres_of(x_mm), metres_of(y_mm)};
   }
-  // ", or a place with which it works": one that `rtac verify` finds in front of every corner
-  // (P2a), and clear of the walls, where ways bend. "": none is found.
-  [[nodiscard]] std::string site_that_sees(const ir::Monitor& monitor,
-                                           const ir::SiteTable::Place& blind,
-                                           const geometry::Region& left) const {
+  static std::string text_of(const geometry::Point& p) {
+    return place_text(floor_to_int(Rational(p.x * 1000)), floor_to_int(Rational(p.y * 1000)));
+  }
+
+  // "`home` at (3 m, 5 m)": the nearest place with which it works, of those where it matters not
+  // whether the zone is there, and that `rtac verify` finds in front of every corner (P2a) and
+  // clear of the walls, where ways bend. none: none is found.
+  [[nodiscard]] std::optional<std::string> site_that_works(const ir::Monitor& monitor,
+                                                           const ir::SiteTable::Place& place,
+                                                           Code code) const {
     constexpr std::int64_t looks_most = 4'000, grid_mm = 10;
-    const ir::SiteTable& site = module_[monitor.recovery.site];
-    const auto* const written = written_place(spec_, site, blind);
-    if (trials_ == nullptr || written == nullptr) return "";
-    const ir::Cells& cells = module_[monitor.recovery.zone].cells;
-    const geometry::Region& own = tables_.zone(monitor.recovery.zone).exact;
-    const std::int64_t route_mm = monitor.recovery.route_clearance_mm;
-    const Rational room_m =
-        metres_of(std::max(route_mm, decision_.body.radius_mm + asked_most_mm(monitor)) +
-                  cells.cell_mm / 2 + grid_mm);
+    const ir::Recovery& way = monitor.recovery;
+    const ir::SiteTable& site = module_[way.site];
+    const auto* const written = written_place(spec_, site, place);
+    if (trials_ == nullptr || written == nullptr) return std::nullopt;
+    const ir::Cells& cells = module_[way.zone].cells;
+    const geometry::Region& own = tables_.zone(way.zone).exact;
+    const geometry::Region left = left_at_worst(monitor);
+    const bool straight = is_convex(own);
+    const Rational room_m = metres_of(
+        std::max(way.route_clearance_mm, decision_.body.radius_mm + asked_most_mm(monitor)) +
+        cells.cell_mm / 2 + grid_mm);
     const std::int64_t least_mm =
-        std::max(monitor.recovery.return_clearance_mm, route_mm + cells.cell_mm + grid_mm);
+        std::max(way.return_clearance_mm, way.route_clearance_mm + cells.cell_mm + grid_mm);
     const auto count = static_cast<std::int64_t>(cells.clearance_mm_lo.size());
     const std::int64_t step = 1 + count / looks_most;
-    std::vector<OtherPlace> seeing;
+    std::vector<OtherPlace> all;
     for (std::int64_t at = 0; at < count; at += step) {
       const std::int64_t x_mm =
           cells.origin_x_mm + (at % cells.columns) * cells.cell_mm + cells.cell_mm / 2;
       const std::int64_t y_mm =
           cells.origin_y_mm + (at / cells.columns) * cells.cell_mm + cells.cell_mm / 2;
       const std::int64_t clear_mm = cells.clearance_mm_lo[static_cast<std::size_t>(at)];
-      if (clear_mm < least_mm) continue;
-      if (hidden_from(left, point_of(x_mm, y_mm), own, room_m)) continue;
-      seeing.push_back({{x_mm, y_mm}, clear_mm});
+      if (clear_mm < least_mm || !may_end_at(monitor, x_mm, y_mm)) continue;
+      if (straight && hidden_from(left, point_of(x_mm, y_mm), own, room_m)) continue;
+      all.push_back({{x_mm, y_mm}, clear_mm});
     }
-    const auto works = place_that_works(*trials_, fault_of(Code::window_may_pass, monitor.source),
-                                        written->range, std::move(seeing));
-    return works ? ", or `" + site.name + "` at " + place_text(works->at.x_mm, works->at.y_mm) : "";
+    const auto works =
+        place_that_works(*trials_, fault_of(code, monitor.source), written->range, std::move(all));
+    if (!works) return std::nullopt;
+    return "`" + site.name + "` at " + place_text(works->at.x_mm, works->at.y_mm);
   }
-  static std::string text_of(const geometry::Point& p) {
-    return place_text(floor_to_int(Rational(p.x * 1000)), floor_to_int(Rational(p.y * 1000)));
+  // Of the zone of its ways.
+  [[nodiscard]] geometry::Region left_at_worst(const ir::Monitor& monitor) const {
+    const ExactZone exact = [&](ir::ZoneIndex zone) -> const geometry::Region& {
+      return tables_.zone(zone).exact;
+    };
+    return exact(monitor.recovery.zone)
+        .intersect(region_at_worst(decision_, monitor.property, exact));
+  }
+  [[nodiscard]] bool may_end_at(const ir::Monitor& monitor, std::int64_t x_mm,
+                                std::int64_t y_mm) const {
+    return allowed_at_worst(module_, decision_, monitor, ends_clear_by_mm(monitor.recovery), x_mm,
+                            y_mm);
+  }
+  // Beyond what its property asks for.
+  [[nodiscard]] std::int64_t ends_clear_by_mm(const ir::Recovery& way) const {
+    return way.return_clearance_mm - standoff_mm(decision_, way);
   }
 
   // Of the place that the way ends at.
   bool matters_not(const ir::Monitor& monitor, const ir::SiteTable& site,
                    const ir::SiteTable::Place& place) {
     const ir::Recovery& way = monitor.recovery;
-    const std::int64_t need_mm = way.return_clearance_mm - standoff_mm(decision_, way);
-    if (AtItsWorst(module_, decision_, monitor, need_mm).allows(place.x_mm, place.y_mm)) {
-      return true;
-    }
+    const std::int64_t need_mm = ends_clear_by_mm(way);
+    if (may_end_at(monitor, place.x_mm, place.y_mm)) return true;
+    const auto works = site_that_works(monitor, place, Code::window_without_way_out);
     report(Code::window_without_way_out, monitor,
            "the recovery `" + monitor.recovery.name + "` ends at `" + site.name + "`, " +
                place_text(place.x_mm, place.y_mm) + ", where it matters when `" +
                zone_name(monitor) + "` changes",
-           "a site with a clearance of " +
-               metres(need_mm + asked_most_mm(monitor) + way.leave_beside_mm) +
-               " works, whether that zone is there or not");
+           works ? *works + " works, whether that zone is there or not"
+                 : "a site with a clearance of " +
+                       metres(need_mm + asked_most_mm(monitor) + way.leave_beside_mm) +
+                       " is needed, whether that zone is there or not");
     return false;
   }
 

@@ -281,7 +281,7 @@ std::vector<Offer> offers() {
        }},
       {"within a zone that is `[^`]*(?:grow|shrink)\\(\\w+, " + number + " m\\)` works", "m", 1000,
        Beyond::less, moved_within},
-      {", or `\\w+` at (\\([0-9.]+ m, [0-9.]+ m\\))", "", 0, Beyond::nothing,
+      {"`\\w+` at (\\([0-9.]+ m, [0-9.]+ m\\))", "", 0, Beyond::nothing,
        [](const About& a, const std::string& value) {
          const std::string site = first_group(a.finding.help, "`(\\w+)` at \\(");
          const Span s = statement_before(a.text, "site +" + site + "\\b", a.text.size());
@@ -338,6 +338,7 @@ const std::vector<Elsewhere> tried_elsewhere = {
     {"; control returns [0-9.]+ m from the boundary", "what is"},
     {"zones that have a place in common with a clearance of [0-9.]+ m are needed",
      "what is needed"},
+    {"a site with a clearance of [0-9.]+ m is needed", "what is needed"},
     {"zones (?:are needed )?that overlap by about [0-9.]+ m", "what is needed"},
     {"a zone that is `[^`]*` is needed, and not alone", "Offers.AZoneSuitsWhoSharesTheRecovery"},
     {"places at least [0-9.]+ m apart are needed", "Sites.PlacesAreAsFarApartAsTwoRobotsMayBe"},
