@@ -91,6 +91,18 @@ std::optional<FileId> open_source(const std::string& path, Compilation& c) {
   return file;
 }
 
+std::optional<BuiltAnew> build_anew(sema::Spec& spec, const SourceManager& sources) {
+  BuiltAnew built;
+  auto derived =
+      analysis::derive(spec, sources, built.diagnostics, analysis::Finding::is_told, {}, false);
+  if (!derived || built.diagnostics.has_errors()) return std::nullopt;
+  built.module = std::move(derived->module);
+  built.tables = std::move(derived->tables);
+  const bool whole = !passes::run_pipeline(built.module, built.diagnostics, [](const auto&) {});
+  if (!whole || built.diagnostics.has_errors()) return std::nullopt;
+  return built;
+}
+
 int refuse_mutant(const Options& options, Compilation& c) {
   c.diagnostics.report(
       {diag::Code::usage,

@@ -31,6 +31,14 @@ struct Compilation {
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.
 std::optional<FileId> open_source(const std::string& path, Compilation& c);
 
+// What a specification has come to, changed as it may be meanwhile; nullopt: nothing can be built.
+struct BuiltAnew {
+  ir::Module module;
+  ir::TableMap tables;
+  diag::Engine diagnostics;
+};
+std::optional<BuiltAnew> build_anew(sema::Spec& spec, const SourceManager& sources);
+
 // Reports that a deliberately unsound variant is none; exit_usage.
 int refuse_mutant(const Options& options, Compilation& c);
 

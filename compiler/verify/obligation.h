@@ -58,6 +58,12 @@ struct LockUp {
   bool errors_last = false;    // what they measure has to be off, and to stay so
 };
 
+// A `return when` that a monitor might have: so far from the boundary of each of these zones, by name.
+struct LaterReturn {
+  std::string monitor;
+  std::map<std::string, std::int64_t> clearances_mm;
+};
+
 struct Obligation {
   Kind kind{};
   std::string monitor;   // empty: of the decision
@@ -75,6 +81,8 @@ struct Obligation {
   // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
   // if not of a robot.
   bool in_turns = false;
+  // Which of these may mend that; nothing is claimed of them.
+  std::vector<LaterReturn> later{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
   bool declared = false;
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that

@@ -314,6 +314,19 @@ bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::s
 
 }  // namespace
 
+namespace {
+
+// Of recovery i and monitor j; what is kept is known.
+LedOn led_on(const Subject& s, const protocol::Arbitration& known, std::size_t i, std::size_t j) {
+  const ir::Recovery& leading = s.decision.monitors[i].recovery;
+  const ir::Recovery& next = s.decision.monitors[j].recovery;
+  const bool own = leading.name == next.name;
+  const bool alike = lead_the_same_way(leading, next) && known.keeps[i][j] && known.keeps[j][i];
+  return {own, own || alike, known.keeps[i][j]};
+}
+
+}  // namespace
+
 protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration& matrix) {
   protocol::Arbitration known;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -325,17 +338,47 @@ protocol::Arbitration known_turns(const Subject& s, const analysis::Arbitration&
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     known.settles.emplace_back();
     const bool leads = leads_back(s, i);
-    const ir::Recovery& leading = s.decision.monitors[i].recovery;
     for (std::size_t j = 0; j < matrix.size(); ++j) {
-      const ir::Recovery& next = s.decision.monitors[j].recovery;
-      const bool own = leading.name == next.name;
-      const bool alike = lead_the_same_way(leading, next) && known.keeps[i][j] && known.keeps[j][i];
-      const LedOn led_on{own, own || alike, known.keeps[i][j]};
-      known.settles.back().push_back(settles(s, leads, led_on, i, j));
+      known.settles.back().push_back(settles(s, leads, led_on(s, known, i, j), i, j));
     }
   }
   return known;
 }
+
+namespace {
+
+// Of each monitor that gives control back before that is where its recovery leads, and where
+// another one may not: that it waits for the zones which that one asks for. Of those that have a
+// name.
+std::vector<LaterReturn> later_returns(const Subject& s, const protocol::Arbitration& known) {
+  const auto& monitors = s.decision.monitors;
+  const auto is_declared = [&](const std::string& name) {
+    return std::ranges::any_of(s.spec.zones, [&](const sema::Zone& z) { return z.name == name; });
+  };
+  std::vector<LaterReturn> all;
+  for (std::size_t i = 0; i < monitors.size(); ++i) {
+    if (monitors[i].return_when) continue;
+    LaterReturn later{monitors[i].name, {}};
+    const bool leads = leads_back(s, i);
+    for (std::size_t j = 0; j < monitors.size(); ++j) {
+      LedOn waiting = led_on(s, known, i, j);
+      waiting.as_before = true;
+      if (known.settles[i][j] || !settles(s, leads, waiting, i, j)) continue;
+      const ir::Block& says = monitors[j].property;
+      std::vector<ir::ZoneIndex> zones;
+      (void)places_whatever_told(s, says, says.result, zones);
+      for (const ir::ZoneIndex zone : zones) {
+        if (!is_declared(s.module[zone].name) || s.module[zone].has_height()) continue;
+        std::int64_t& mm = later.clearances_mm[s.module[zone].name];
+        mm = std::max(mm, returned_mm(s, zone) - s.decision.body.radius_mm);
+      }
+    }
+    if (!later.clearances_mm.empty()) all.push_back(std::move(later));
+  }
+  return all;
+}
+
+}  // namespace
 
 protocol::Subject protocol_subject(const ir::Decision& d) {
   protocol::Subject s;
@@ -386,7 +429,9 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
     }
   }
   if (const auto* broken = first(answers, protocol::Answer::Kind::broken)) {
-    return unknown(std::move(o), s, *broken);
+    Obligation open = unknown(std::move(o), s, *broken);
+    if (open.in_turns) open.later = later_returns(s, known);
+    return open;
   }
   if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {
     return unknown(std::move(o), s, *open);

@@ -1,5 +1,7 @@
 // Zones that come and go: that a recovery leads out in time is proved, found once more, and denied
 // where a certificate says something else; what is not shown stays unknown.
+#include <cmath>
+
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
@@ -279,6 +281,37 @@ TEST_F(Leaving, WhatIsNotShownStaysUnknown) {
   hall = {};  // from (7.3 m, 3.76 m) a way leads past the corner at (7 m, 4 m), nearer to it
   hall.lessons = "rectangle (2 m, 4 m) to (7 m, 6 m)";
   expect_unknown(hall, "so that ways may lead past it, and nearer");
+}
+
+// Control may be given back beside the wall, where the other recovery has to go on: that it is not
+// is offered, with the least clearance that is enough, and proved with it.
+TEST_F(Leaving, ALaterReturnThatEndsTheTurnsIsOffered) {
+  Hall hall;
+  hall.back = "back_off";
+  const auto repair_of = [](const Outcome& o) {
+    const Json report = Json::parse(o.out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == "switching") return each.value("repair", "");
+    }
+    return std::string();
+  };
+  const Outcome o = verified(text_of(hall), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+  EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
+  const std::string repair = repair_of(o), before = "`return when clearance(r, room) >= ";
+  ASSERT_EQ(repair.substr(0, before.size()), before);
+  EXPECT_NE(repair.find(" m;` in `quiet` works"), std::string::npos) << repair;
+  const double least_mm = 1000 * std::stod(repair.substr(before.size()));
+  const auto returns_at = [&](double mm) {
+    return edited(text_of(hall), "recover go_home; }",
+                  "recover go_home; return when clearance(r, room) >= " +
+                      std::to_string(std::lround(mm)) + " mm; }");
+  };
+  const Outcome works = verified(returns_at(least_mm), {"-o", "certificates"});
+  EXPECT_EQ(works.status, exit_clean) << works.out << works.err;
+  EXPECT_EQ(rechecked().status, exit_clean);
+  const Outcome less = verified(returns_at(0.95 * least_mm), {"--format", "json"});
+  EXPECT_EQ(statuses(less.out, "switching", ""), Statuses{"unknown"}) << less.out;
 }
 
 }  // namespace
