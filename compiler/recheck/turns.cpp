@@ -68,6 +68,19 @@ class Turns {
     });
   }
 
+  // As long as inputs ask for recovery i, which is not shown to keep what monitor j says of places,
+  // another one leads back in, and gives the robot back to it.
+  [[nodiscard]] bool turns_while_told(std::size_t i, std::size_t j) const {
+    const sema::Expr& says = *monitor(j).always;
+    if (!moves(recovery(i)) || !fails_by_inputs(*monitor(i).always)) return false;
+    bool heights = false;
+    sema::for_each_expr(says, [&](const sema::Expr& e) { heights = heights || is_height(e); });
+    if (all_zones(says).empty() && !heights) return false;
+    const auto back = sema::templates_of(recovery(j));
+    const bool stands = !back.empty() && std::holds_alternative<sema::BrakeAndHold>(back.back());
+    return !stands && !holds(j) && !keeps(i, j) && !accepts(i, j);
+  }
+
   // The specification accepts that recovery i may break monitor j.
   [[nodiscard]] bool accepts(std::size_t i, std::size_t j) const {
     return std::ranges::any_of(d_.acknowledgements, [&](const sema::Acknowledgement& a) {
@@ -116,6 +129,21 @@ class Turns {
   [[nodiscard]] const sema::Monitor& monitor(std::size_t k) const { return spec_[d_.priority[k]]; }
   [[nodiscard]] const sema::Controller& recovery(std::size_t k) const {
     return spec_[*monitor(k).recover];
+  }
+  static bool moves(const sema::Controller& recovery) {
+    const auto steps = sema::templates_of(recovery);
+    return steps.empty() || std::ranges::any_of(steps, [](const sema::Template& step) {
+             return !std::holds_alternative<sema::BrakeAndHold>(step);
+           });
+  }
+  // Inputs alone have it fail, wherever the robot is.
+  static bool fails_by_inputs(const sema::Expr& e) {
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    if (logic == nullptr || logic->op != sema::LogicOp::logical_and) {
+      return !sema::speaks_of_robot(e);
+    }
+    return std::ranges::any_of(logic->operands,
+                               [](const sema::ExprPtr& each) { return fails_by_inputs(*each); });
   }
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {
@@ -289,6 +317,9 @@ std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d
       if (i == j) continue;
       const std::string pair =
           "recovery " + std::to_string(i + 1) + " and monitor " + std::to_string(j + 1) + ": ";
+      if (turns.turns_while_told(i, j)) {
+        return Doubt{true, pair + "as long as inputs ask for one it leads out of the other"};
+      }
       const bool accepted = accepting && turns.accepts(i, j);
       if (taken.keeps[i][j] && !turns.keeps(i, j) && !accepted) {
         return Doubt{true, pair + "it is not proved that it keeps what it says"};

@@ -209,6 +209,14 @@ const protocol::Answer* first(const Answers& answers, protocol::Answer::Kind kin
   return at == answers.end() ? nullptr : &*at;
 }
 
+// Whether inputs alone have it fail, wherever the robot is.
+bool fails_by_inputs(const ir::Block& block, ir::ValueId id) {
+  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
+    return fails_by_inputs(block, both->a) || fails_by_inputs(block, both->b);
+  }
+  return analysis::told(block, id);
+}
+
 // While inputs ask for a recovery that leads out of what another monitor says, that one takes over,
 // leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
 // to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
@@ -224,7 +232,9 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
     const bool moves = std::any_of(steps.begin(), steps.end(), [](const ir::Recovery* step) {
       return step->kind != ir::RecoveryKind::brake;
     });
-    if (!moves || !atoms_of(monitors[i].property).only_facts()) continue;
+    const ir::Block& says = monitors[i].property;
+    const bool told = atoms_of(says).only_facts() || fails_by_inputs(says, says.result);
+    if (!moves || !told) continue;
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       const Atoms atoms = atoms_of(monitors[j].property);
       const analysis::Keeping k = matrix[i][j].keeping;
