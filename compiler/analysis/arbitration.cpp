@@ -154,6 +154,9 @@ class Pair {
     entry_.why = quoted(recovery_.name) + why;
     entry_.help =
         quoted(judged_.recovery.name) + " as the recovery of " + quoted(driving_.name) + " works";
+    const ir::Monitor* const first = decision_.monitors.data();
+    entry_.change = Change{};
+    entry_.change->follows = {std::size_t(&driving_ - first), std::size_t(&judged_ - first)};
     return false;
   }
   // No recovery makes an input true again, and none makes it false. But its own one is the answer

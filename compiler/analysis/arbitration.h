@@ -26,11 +26,12 @@ enum class Keeping {
   coordinated,  // the same, but for a recovery that does, by `coordinate`
 };
 // What a report may offer: another order of the monitors, by their ranks as they are declared,
-// monitors that let go without more, a monitor whose recovery brakes and holds instead, or larger
-// numbers of the energy clause, in s and m.
+// monitors that let go without more, a monitor whose recovery brakes and holds instead, one that
+// recovers as another one does, or larger numbers of the energy clause, in s and m.
 struct Change {
   std::vector<std::size_t> order{}, without_return{};
   std::optional<std::size_t> stands{};
+  std::optional<std::pair<std::size_t, std::size_t>> follows{};
   std::optional<Rational> held{}, detour{};
 };
 // That the recovery moves in what all of `parts` have in common instead of `from`.

@@ -162,6 +162,12 @@ class Deriver {
       stands->recover = sema::ControllerId(spec_.controllers.size());
       spec_.controllers.push_back(std::move(standing));
     }
+    const auto follows =
+        change.follows ? &spec_.monitors[index(order[change.follows->first])] : nullptr;
+    const auto followed = follows != nullptr ? follows->recover : std::nullopt;
+    if (follows != nullptr) {
+      follows->recover = spec_.monitors[index(order[change.follows->second])].recover;
+    }
     if (change.held) kind.energy->held.value = *change.held;
     if (change.detour) kind.energy->detour.value = *change.detour;
     diag::Engine aside;
@@ -174,6 +180,7 @@ class Deriver {
       stands->recover = recovers;
       spec_.controllers.pop_back();
     }
+    if (follows != nullptr) follows->recover = followed;
     for (std::size_t k = 0; k < returns.size(); ++k) {
       spec_.monitors[index(order[change.without_return[k]])].return_when = std::move(returns[k]);
     }

@@ -1,6 +1,7 @@
 #include "compiler/analysis/dials.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -167,6 +168,14 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
   const auto found = std::ranges::find(spec.controllers, recovery, &sema::Controller::name);
   if (found == spec.controllers.end()) return false;
   const auto written = found->implementation;
+  bool over_cells = false;  // of the plane, as the language has it
+  change_each(*found, [&](auto& each) {
+    if constexpr (requires { each.zone; }) {
+      constexpr bool moves_up = std::is_same_v<std::decay_t<decltype(each)>, sema::Retreat>;
+      over_cells = over_cells || (!moves_up && each.zone == from);
+    }
+  });
+  if (over_cells && zone.has_height) return false;
   const sema::ZoneId last{static_cast<std::uint32_t>(spec.zones.size())};
   const Dial dial{"zone of " + recovery + ": " + name,
                   0,

@@ -1,7 +1,6 @@
 #include "compiler/analysis/recoveries.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "compiler/analysis/boundless.h"
 #include "compiler/analysis/dials.h"
@@ -170,20 +169,12 @@ class Recoveries {
             : "";
     const auto numbers = repairs(decided_, trials_, fault_of(d.code, d.range), [&](const Trial& t) {
       const std::int64_t ahead_us = lookahead_us(spec_, written_, t.decision.period_us);
-      return fastest_from_rest(t.decision, ahead_us) <= least_limit_mmps();
+      return fastest_from_rest(t.decision, ahead_us) <= least_limit_mmps(monitor_.property);
     });
     d.help = (numbers.empty() ? "" : joined(numbers) + " works, or ") + limits + leads +
              "`hold when violated \"why\";` in the monitor" +
              (limits.empty() && numbers.empty() ? " works" : "");
     diagnostics_.report(std::move(d));
-  }
-  [[nodiscard]] std::int64_t least_limit_mmps() const {
-    std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    ir::for_each_comparison(monitor_.property, [&](const ir::Block& block, const ir::AtLeast& c) {
-      const auto most = ir::upper_bound(block, c);
-      if (most && most->leaf.kind == ir::Leaf::Kind::speed) least = std::min(least, most->most);
-    });
-    return least;
   }
   // Outside of what it claims an external recovery is braked, in every tick.
   void breaks_its_claim() {

@@ -248,6 +248,15 @@ class Limits {
 
 }  // namespace
 
+std::int64_t least_limit_mmps(const ir::Block& property) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto most = ir::upper_bound(block, compare);
+    if (most && most->leaf.kind == ir::Leaf::Kind::speed) least = std::min(least, most->most);
+  });
+  return least;
+}
+
 bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judged) {
   return Limits(of, judged).kept_by(driving);
 }

@@ -32,6 +32,10 @@ bool holds_while_driving(const ir::Decision& decision, std::size_t k, const ir::
 // Whether it fulfils the property there, though it may not be given back.
 bool holds_standing(const ir::Monitor& monitor);
 
+// The lowest limit of speed that a property may ask for, on whichever of its sides; none: the
+// highest number.
+std::int64_t least_limit_mmps(const ir::Block& property);
+
 // Whether the recovery of one monitor keeps the limits of speed of another one, acknowledged or
 // not.
 bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judged);

@@ -228,6 +228,14 @@ bool inputs_decide(const Subject& s, const ir::Monitor& m,
   return says && told == 1 && says->yes && says->no;
 }
 
+// Two properties speak of one input: what has one of them fail may make the other one hold.
+bool share_inputs(const Subject& s, std::size_t a, std::size_t b) {
+  const auto one = analysis::inputs_in(s.spec, *s.monitor(a).always);
+  const auto other = analysis::inputs_in(s.spec, *s.monitor(b).always);
+  return std::ranges::any_of(
+      one, [&](sema::InputId id) { return std::ranges::find(other, id) != other.end(); });
+}
+
 // Where a monitor is engaged from the start on: at rest beside a boundary of the zone that its
 // recovery moves within, nearer than control is given back.
 std::optional<std::pair<std::int64_t, std::int64_t>> engaged_at(const Subject& s,
@@ -270,8 +278,8 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   if (atoms_of(j.property).received) return o;  // that it happens is not shown either
   o.status = Status::refuted;
   o.method = "geometry and bounds";
-  // what inputs may ask for, nobody has to drive to
-  o.by_a_run = !entry.while_told;
+  // what inputs may ask for nobody has to drive to: it drives faster than that as it is written
+  o.by_a_run = !entry.while_told || i.recovery.speed_mmps <= analysis::least_limit_mmps(j.property);
   o.starts = starts_of_damage(s, driving, judged);
   if (atoms_of(j.property).charge) o.place_mm = engaged_at(s, i);
   if (!o.place_mm) o.place_mm = i.returns.stuck_mm;  // it waits there for ever
@@ -285,7 +293,7 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   if (of_inputs) o.unmet = i.name;
   if (o.unending) return o;
   // that its way leads there breaks a limit of speed only at that speed, which a run shows
-  if (!o.starts.empty() && !atoms_of(j.property).speed &&
+  if (!o.starts.empty() && !atoms_of(j.property).speed && !share_inputs(s, driving, judged) &&
       inputs_decide(s, i, o.starts.front().place_mm)) {
     o.by_a_run = false;
     o.because += "; where inputs ask for it at " + text_of(o.starts.front().place_mm) +
