@@ -7,12 +7,15 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/zone_text.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/geometry/looks.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
 
-// Up to 0.1 s a trial.
+// What all widths that are tried may take: some 10 s (geometry/looks.h).
+constexpr std::int64_t looks_most = 400'000'000;
+// Mostly up to 0.1 s a trial.
 constexpr std::size_t vertices_most = 200, cells_tried_most = 100'000;
 
 std::optional<geometry::BakedZone> grown(const geometry::Region& zone, std::int64_t by_mm) {
@@ -90,7 +93,9 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
                                         std::int64_t most_mm, const FitsZone& fits,
                                         const FitsZone& whole) {
   if (zone.vertices() > vertices_most) return std::nullopt;
+  const std::int64_t looks_end = geometry::looks() + looks_most;
   const auto holds = [&](const FitsZone& what, std::int64_t by_mm) {
+    if (geometry::looks() > looks_end) return false;
     const auto wider = grown(zone, by_mm);
     if (!wider || wider->cells.clearance_mm_lo.size() > cells_tried_most) return false;
     const geometry::CellGrid& c = wider->cells;
@@ -103,7 +108,8 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
     by_mm =
         least_above(*by_mm, most_mm, [&](auto mm) { return holds(fits, mm) && holds(whole, mm); });
   }
-  if (!by_mm || closes_a_gap(zone, *by_mm)) return std::nullopt;
+  const bool ran_out = geometry::looks() > looks_end;  // then nobody knows whether less works
+  if (!by_mm || ran_out || closes_a_gap(zone, *by_mm)) return std::nullopt;
   return by_mm;
 }
 
