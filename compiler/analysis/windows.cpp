@@ -107,7 +107,7 @@ class Planner {
       report(Code::window_may_pass, monitor,
              "while `" + other + "` drives for `" + decision_.monitors[j].name +
                  "`, nobody leads out before `" + zone_name(monitor) + "` changes",
-             "a higher priority works, or the same recovery; or `acknowledge " + other +
+             "a higher priority is needed, or the same recovery; or `acknowledge " + other +
                  " may break " + monitor.name + " \"why\"`");
       return;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/in_space.h"
 
@@ -38,8 +39,7 @@ class DamageInSpace {
     using Found = std::pair<int, At>;
     std::vector<Found> found;
     for (const At& at : grid_of(all_, body_mm_, body_mm_ + 2 * holds_by_mm)) {
-      const auto holds = [&](const Says& says) { return says.holds(at, body_mm_, holds_by_mm); };
-      if (!std::all_of(all_.begin(), all_.end(), holds) || !engages(at)) continue;
+      if (!all_hold(at) || !engages(at)) continue;
       for (const ir::Recovery* step : ir::steps_of(driving_.recovery)) {
         if (const int outside = outside_on(at, way_of(*step, at))) found.emplace_back(outside, at);
       }
@@ -57,12 +57,38 @@ class DamageInSpace {
     }
     std::vector<Start> starts;
     for (const At& at : told) {
-      starts.push_back({{std::llround(at.p.x), std::llround(at.p.y), std::llround(at.z)}});
+      starts.push_back({in_mm(at)});
+    }
+    for (const ir::Recovery* step : ir::steps_of(driving_.recovery)) {
+      if (step->kind == ir::RecoveryKind::yield) beside_each_other(*step, starts);
     }
     return starts;
   }
 
  private:
+  static std::vector<std::int64_t> in_mm(const At& at) {
+    return {std::llround(at.p.x), std::llround(at.p.y), std::llround(at.z)};
+  }
+  [[nodiscard]] bool all_hold(const At& at) const {
+    return std::ranges::all_of(
+        all_, [&](const Says& says) { return says.holds(at, body_mm_, holds_by_mm); });
+  }
+  // The one that goes first backs off from the other one, through a wall of what it is to keep.
+  void beside_each_other(const ir::Recovery& yield, std::vector<Start>& starts) const {
+    if (s_.decision.robots < 2) return;
+    const Volume may_drive(s_, yield.zone);
+    const double apart_mm =
+        2 * body_mm_ + 2 * holds_by_mm + double(analysis::standoffs_of(s_.decision).separation_mm);
+    for (const auto& [zone, standoff] : judged_.zones) {
+      const double inside_mm = body_mm_ + standoff + 2 * holds_by_mm;
+      for (const auto& [at, outwards] : zone.beside_walls(inside_mm)) {
+        const At other{at.p + (-apart_mm) * outwards, at.z};
+        const At out{at.p + inside_mm * outwards, at.z};
+        if (!all_hold(at) || !all_hold(other) || !may_drive.clear(out, body_mm_)) continue;
+        if (starts.size() < in_space_most) starts.push_back({in_mm(at), {in_mm(other)}});
+      }
+    }
+  }
   // The monitor does not let the robot go there.
   [[nodiscard]] bool engages(const At& at) const {
     if (drives_.zones.empty() && drives_.least_mm <= -endless_mm && drives_.most_mm >= endless_mm) {

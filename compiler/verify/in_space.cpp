@@ -56,6 +56,22 @@ std::vector<At> Volume::inwards(const At& from, double clear_mm) const {
   return {};
 }
 
+std::vector<Volume::BesideWall> Volume::beside_walls(double off_mm) const {
+  std::vector<BesideWall> all;
+  for (const Slab& slab : slabs_) {
+    if (slab.floor <= -endless_mm || slab.ceiling >= endless_mm) continue;
+    for (const auto& [a, b] : slab.outline.edges()) {
+      const double length = analysis::outline::norm(b - a);
+      for (const double side : {1.0, -1.0}) {
+        const P out = (side / length) * P{b.y - a.y, a.x - b.x};
+        const At at{0.5 * (a + b) + (-off_mm) * out, (slab.floor + slab.ceiling) / 2};
+        if (slab.outline.clearance(at.p) > off_mm - 1) all.push_back({at, out});
+      }
+    }
+  }
+  return all;
+}
+
 void Volume::narrow(P& low, P& high, double& floor, double& ceiling) const {
   P least{endless_mm, endless_mm}, most{-endless_mm, -endless_mm};
   for (const Slab& slab : slabs_) {

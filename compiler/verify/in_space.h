@@ -27,6 +27,13 @@ class Volume {
   [[nodiscard]] bool clear(const At& at, double gap) const;
   // Where a retreat leads from a place in it: up or down, and then level.
   [[nodiscard]] std::vector<At> inwards(const At& from, double clear_mm) const;
+  // Beside the middle of each wall, so far inside of it, half way up; and the way out from there,
+  // of length 1.
+  struct BesideWall {
+    At at;
+    analysis::outline::P outwards;
+  };
+  [[nodiscard]] std::vector<BesideWall> beside_walls(double off_mm) const;
   // The box around it, as far as a box around others goes.
   void narrow(analysis::outline::P& low, analysis::outline::P& high, double& floor,
               double& ceiling) const;

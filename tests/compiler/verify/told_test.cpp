@@ -268,6 +268,27 @@ decision drive for Cart { advanced policy; period 50 ms; priority walls > told; 
   EXPECT_NE(o.status, exit_clean) << o.out;
 }
 
+// Of inputs that exclude each other one asks for its recovery, and then the other property holds:
+// no way of it leads out of that while they stay, and who knows what comes when they change.
+TEST_F(Told, WhatAnInputAsksForIsNotHeldAgainstWhatItAllowsThen) {
+  const std::string text = R"(spec shifts;
+input night : bool max_age 1 s;
+zone east = rectangle (14 m, 0 m) to (24 m, 14 m);
+zone west = rectangle (0 m, 0 m) to (12 m, 14 m);
+)" + a_rover + R"(controller go_east : safe for Rover = retreat within east speed 0.4 m/s;
+controller go_west : safe for Rover = retreat within west speed 0.4 m/s;
+monitor nights for r : Rover { "R1: east at night" always night implies r inside east; recover go_east; }
+monitor days for r : Rover { "R2: west by day" always )";
+  const std::string end = R"(; recover go_west; }
+decision go for Rover { advanced drive; period 100 ms; priority nights > days; }
+)";
+  const Outcome o = verified(text + "not night implies r inside west" + end, {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "C", "days").front(), "unknown") << o.out;
+  // whatever it says
+  const Outcome always = verified(text + "r inside west" + end, {"--format", "json"});
+  EXPECT_EQ(statuses(always.out, "C", "days").front(), "refuted") << always.out;
+}
+
 // A landing that ends too low for where it is led back in: the least height that is high enough is
 // said, and is.
 TEST_F(Told, TheHeightToLandAtIsSaid) {
