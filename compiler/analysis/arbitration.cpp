@@ -338,8 +338,8 @@ class Pair {
                              zone,
                              {{{fence}, std::max<std::int64_t>(*beyond_mm, 0)}, {{zone}}}});
   }
-  // Straight down from anywhere in it: what is in a slab is in the one below, down to where a
-  // landing ends. Whatever else is not shown.
+  // Straight down from anywhere above: what is in a slab is in the one below, down to the lowest of
+  // which that is so, and a landing ends above the floor of that. Whatever else is not shown.
   bool reaches_down(ir::ZoneIndex fence, std::optional<std::int64_t> beyond_mm,
                     std::int64_t land_mm) {
     if (!module_[fence].has_height()) return true;
@@ -348,13 +348,16 @@ class Pair {
         beyond_mm.value_or(0) + body.radius_mm + 2 * body.position_error_mm + body.hold_mm;
     const geometry::Solid solid = solid_(fence);
     const auto& slabs = solid.slabs();
-    bool down = beyond_mm && !slabs.empty();
-    for (std::size_t k = 0; k + 1 < slabs.size(); ++k) {
-      down = down && slabs[k].ceiling == slabs[k + 1].floor &&
-             slabs[k].region.contains(slabs[k + 1].region);
+    const bool down = beyond_mm && !slabs.empty();
+    std::int64_t least_mm = 0;
+    if (down) {
+      auto lowest = std::prev(slabs.end());
+      while (lowest != slabs.begin() && std::prev(lowest)->ceiling == lowest->floor &&
+             std::prev(lowest)->region.contains(lowest->region)) {
+        --lowest;
+      }
+      least_mm = ceil_to_int(Rational(lowest->floor * 1000)) + over_mm;
     }
-    const std::int64_t least_mm =
-        down ? ceil_to_int(Rational(slabs.front().floor * 1000)) + over_mm : 0;
     if (down && land_mm >= least_mm) return true;
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";

@@ -400,4 +400,27 @@ bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& 
   return true;
 }
 
+bool comes_down_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Controller& recovery, const sema::Expr& property,
+                       sema::ZoneId zone) {
+  if (claims.zones().region(zone) != nullptr) return true;  // at each height
+  const Rational margin = spec[d.kind].radius.value + gap_of(spec, property, zone) +
+                          numbers_of(spec, d, jitter_of(spec, d)).sway;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    const auto* land = std::get_if<sema::Land>(&what);
+    if (land == nullptr) continue;
+    const auto solid = claims.zones().solid(zone);
+    if (!solid) return false;
+    const auto& slabs = solid->slabs();
+    const Rational reach = land->height.value - margin;
+    auto lower = std::ranges::find_if(
+        slabs, [&](const geometry::Slab& s) { return s.floor <= reach && reach < s.ceiling; });
+    if (lower == slabs.end()) return false;
+    for (auto upper = std::next(lower); upper != slabs.end(); lower = upper++) {
+      if (lower->ceiling != upper->floor || !lower->region.contains(upper->region)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace rtac::recheck

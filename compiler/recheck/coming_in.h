@@ -46,4 +46,10 @@ bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Ra
 bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                        const sema::Controller& recovery, const sema::Expr& property);
 
+// Whether a recovery that lands comes straight down within a zone that the property asks for, from
+// wherever it is above, and ends as far above the floor as is asked.
+bool comes_down_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                       const sema::Controller& recovery, const sema::Expr& property,
+                       sema::ZoneId zone);
+
 }  // namespace rtac::recheck

@@ -467,11 +467,21 @@ class Check {
              {{"monitor", m.name}, {"zone", zones.name(inner)}, {"fence", zones.name(outer)}});
       }
     }
+    lands_in(d, e, recovery, m, asked.zones);
+    for (const std::vector<sema::ZoneId>& sides : asked.either) lands_in(d, e, recovery, m, sides);
     // of an `or` with a limit of speed, who is slow has no height to keep
     if (Sides(spec_, d, claims_).holds_of_slow(recovery, *m.always)) return;
     if (keeps_its_heights(spec_, d, claims_, recovery, *m.always)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` may go beyond a height that `" + m.name +
          "` allows");
+  }
+  void lands_in(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
+                const sema::Monitor& m, const std::vector<sema::ZoneId>& zones) {
+    for (const sema::ZoneId zone : zones) {
+      if (comes_down_within(spec_, d, claims_, recovery, *m.always, zone)) continue;
+      fail(whom(d, e) + ": the way down of `" + recovery.name + "` need not lie in `" +
+           claims_.zones().name(zone) + "`");
+    }
   }
   // Whether all that recovers within a zone is a retreat, and some zone that the property holds the
   // robot in is claimed to lie as deep in that as a retreat leads: it holds its place there.

@@ -575,5 +575,42 @@ decision go for Rover { advanced drive; period 50 ms; priority out > m; }
   expect_denied(report, "nothing says that `back` keeps so far from `hall`");
 }
 
+// Straight down to above the trees, whatever lies between them; not to where they are.
+TEST_F(ComingIn, ALandingEndsAboveWhatIsNarrowerBelow) {
+  const auto page = [](const std::string& height) {
+    return R"(spec orchard;
+zone orchard = prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 40 m - prism (rectangle (20 m, 10 m) to (40 m, 30 m)) from 0 m to 6 m;
+robot Quad {
+  body    radius 30 cm;
+  motion  point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense   position : point3  error 5 cm   max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller back   : safe for Quad = retreat within orchard speed 0.6 m/s;
+controller down   : safe for Quad = land to )" +
+           height + R"( speed 0.5 m/s;
+monitor roof  for r : Quad { "R1: below 20 m" always r.position.z <= 20 m; recover down; }
+monitor trees for r : Quad { "R2: off the trees" always r inside orchard; recover back; }
+decision fly for Quad { advanced policy; period 50 ms; priority roof > trees; }
+)";
+  };
+  const Json report = report_of(page("7 m"));
+  for (const Json& o : report["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "C") {
+      EXPECT_EQ(o["status"], "proved") << o;
+    }
+  }
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.out.find("not proved:"), std::string::npos) << again.out;
+  for (const char* height : {"5 m", "6.1 m"}) {
+    write("certificates/sources/spec.rta", page(height));
+    expect_denied(report, "the way down of `down` need not lie in `orchard`");
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
