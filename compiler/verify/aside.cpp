@@ -46,9 +46,9 @@ std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins,
   low = low - P{around_mm, around_mm};
   high = high + P{around_mm, around_mm};
   for (int n = 0; n < places_across * places_across; ++n) {
-    const double across = (n % places_across + 0.5) / places_across;
-    const double up = (double(n / places_across) + 0.5) / places_across;
-    const P p{low.x + across * (high.x - low.x), low.y + up * (high.y - low.y)};
+    const int column = n % places_across, row = n / places_across;
+    const P p{low.x + (column + 0.5) / places_across * (high.x - low.x),
+              low.y + (row + 0.5) / places_across * (high.y - low.y)};
     if (outline.edges().empty() || outline.contains(p)) all.push_back({p});
   }
   return all;

@@ -58,7 +58,8 @@ struct LockUp {
   bool errors_last = false;    // what they measure has to be off, and to stay so
 };
 
-// A `return when` that a monitor might have: so far from the boundary of each of these zones, by name.
+// A `return when` that a monitor might have: so far from the boundary of each of these zones, by
+// name.
 struct LaterReturn {
   std::string monitor;
   std::map<std::string, std::int64_t> clearances_mm;

@@ -194,8 +194,7 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 // waiting may still get out in time.
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
-         d.code == Code::window_may_pass ||
-         analysis::lands_near_the_limit(d) ||
+         d.code == Code::window_may_pass || analysis::lands_near_the_limit(d) ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 
