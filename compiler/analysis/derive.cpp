@@ -203,11 +203,12 @@ class Deriver {
   // built as if its author had accepted that.
   bool could_be_built() const {
     const auto& all = diagnostics_.all();
-    return std::all_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
-      return d.code == Code::lookahead_too_short || d.code == Code::window_without_way_out ||
-             d.code == Code::window_may_pass || d.code == Code::window_too_short ||
-             diag::info(d.code).severity != diag::Severity::error;
-    });
+    return ways_out_are_known_ &&
+           std::all_of(all.begin(), all.end(), [](const diag::Diagnostic& d) {
+             return d.code == Code::lookahead_too_short || d.code == Code::window_without_way_out ||
+                    d.code == Code::window_may_pass || d.code == Code::window_too_short ||
+                    diag::info(d.code).severity != diag::Severity::error;
+           });
   }
   // A site table lives on the zone of the route that leads to it; there is one for a kind of
   // robots.
@@ -597,8 +598,9 @@ class Deriver {
     const WindowTables tables{
         [this](ir::ZoneIndex zone) -> const EvaluatedZone& { return zone_of(zone); }, connector_mm};
     for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
-      plan_windows(spec_, spec_.decisions[i], out_.module, out_.module.decisions[i], tables,
-                   trials(), diagnostics_);
+      const bool known = plan_windows(spec_, spec_.decisions[i], out_.module,
+                                      out_.module.decisions[i], tables, trials(), diagnostics_);
+      ways_out_are_known_ = ways_out_are_known_ && known;
     }
   }
   const EvaluatedZone& zone_of(ir::ZoneIndex index) const {
@@ -644,6 +646,7 @@ class Deriver {
   bool remarks_ = true;
   // Shared with what is tried: to evaluate them takes the longest.
   std::shared_ptr<const EvaluatedZones> evaluated_;
+  bool ways_out_are_known_ = true;  // of zones that come and go
   Trials trials_{spec_, [this](const Trials::Ask& ask) {
                    return faults(spec_, sources_, judge_, ask,
                                  ask.same_zones ? evaluated_ : nullptr);

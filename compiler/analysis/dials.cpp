@@ -168,11 +168,11 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
   const auto found = std::ranges::find(spec.controllers, recovery, &sema::Controller::name);
   if (found == spec.controllers.end()) return false;
   const auto written = found->implementation;
-  bool over_cells = false;  // of the plane, as the language has it
+  bool over_cells = false;  // which are of the plane
   change_each(*found, [&](auto& each) {
-    if constexpr (requires { each.zone; }) {
-      constexpr bool moves_up = std::is_same_v<std::decay_t<decltype(each)>, sema::Retreat>;
-      over_cells = over_cells || (!moves_up && each.zone == from);
+    using Step = std::decay_t<decltype(each)>;
+    if constexpr (std::is_same_v<Step, sema::Route> || std::is_same_v<Step, sema::Yield>) {
+      over_cells = over_cells || each.zone == from;
     }
   });
   if (over_cells && zone.has_height) return false;

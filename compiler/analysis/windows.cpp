@@ -21,6 +21,8 @@ namespace {
 
 using diag::Code;
 
+constexpr const char* ends_near = "control is not given back there";
+
 // Rounded up to tenths.
 std::string seconds(std::int64_t us) {
   return to_decimal(Rational((us + 99'999) / 100'000, 10)) + " s";
@@ -67,7 +69,8 @@ class Planner {
         trials_(trials),
         diagnostics_(diagnostics) {}
 
-  void run() {
+  // false: how long some way out takes is not known.
+  bool run() {
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       ir::Monitor& monitor = decision_.monitors[k];
       if (!has_windows(monitor.property)) continue;
@@ -77,6 +80,7 @@ class Planner {
       if (is_route && !decision_.body.in_space) {
         route(monitor);
       } else if (!ir::acknowledged(decision_, monitor.recovery.name, monitor.name)) {
+        all_known_ = all_known_ && !is_route;
         report(Code::window_without_way_out, monitor,
                "the recovery `" + monitor.recovery.name + "` does not lead out before `" +
                    zone_name(monitor) + "` changes",
@@ -89,6 +93,7 @@ class Planner {
       }
       long_enough(monitor);
     }
+    return all_known_;
   }
 
  private:
@@ -126,11 +131,15 @@ class Planner {
     const std::int32_t cell_mm = module_[recovery.zone].cells.cell_mm;
     recovery.leave_beside_mm = std::max<std::int64_t>(0, join_mm(recovery, cell_mm));
     crosses(monitor);
+    bool ends_well = true;
     for (std::size_t r = 0; r < site.places.size(); ++r) {
       if (site.table_of(r) != r) continue;
-      if (!matters_not(monitor, site, site.places[r])) return;
+      ends_well = ends_well && matters_not(monitor, site, site.places[r]);
       const auto farthest = farthest_mm(monitor, site.places[r], clearance_mm);
-      if (!farthest) return;
+      if (!farthest) {
+        all_known_ = false;
+        return;
+      }
       far_mm = std::max(far_mm, *farthest);
     }
     const Rational seconds =
@@ -272,7 +281,8 @@ class Planner {
            works ? *works + " works, whether that zone is there or not"
                  : "a site with a clearance of " +
                        metres(need_mm + asked_most_mm(monitor) + way.leave_beside_mm) +
-                       " is needed, whether that zone is there or not");
+                       " is needed, whether that zone is there or not",
+           ends_near);
     return false;
   }
 
@@ -356,8 +366,10 @@ class Planner {
     }
     return "";
   }
-  void report(Code code, const ir::Monitor& monitor, std::string message, std::string help) {
-    diagnostics_.report({code, monitor.source, std::move(message), "", {}, std::move(help), {}});
+  void report(Code code, const ir::Monitor& monitor, std::string message, std::string help,
+              std::string label = "") {
+    diagnostics_.report(
+        {code, monitor.source, std::move(message), std::move(label), {}, std::move(help), {}});
   }
 
   const sema::Spec& spec_;
@@ -367,9 +379,14 @@ class Planner {
   const WindowTables& tables_;
   Trials* trials_;
   diag::Engine& diagnostics_;
+  bool all_known_ = true;
 };
 
 }  // namespace
+
+bool ends_near_window(const diag::Diagnostic& d) {
+  return d.code == Code::window_without_way_out && d.label == ends_near;
+}
 
 bool has_windows(const ir::Block& property) {
   return std::any_of(property.values.begin(), property.values.end(), [](const ir::Value& v) {
@@ -392,11 +409,11 @@ bool speaks_of_windows(const ir::Block& block, ir::ValueId id) {
   return others != nullptr && speaks_of_windows(*others, others->result);
 }
 
-void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
+bool plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
                   ir::Decision& decision, const WindowTables& tables, Trials* trials,
                   diag::Engine& diagnostics) {
-  if (decision.on_plan) return;
-  Planner(spec, from, module, decision, tables, trials, diagnostics).run();
+  if (decision.on_plan) return true;
+  return Planner(spec, from, module, decision, tables, trials, diagnostics).run();
 }
 
 }  // namespace rtac::analysis

@@ -21,10 +21,14 @@ struct WindowTables {
 
 // Sets `leave_us`, `leave_least_mm` and `leave_beside_mm` of the recoveries of monitors that speak
 // of such zones; reports 5030, 5031 and 5032, with places that `trials` has found to work. Needs
-// the clearances of the recoveries.
-void plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
+// the clearances of the recoveries. false: some way out is not known, nor what it takes.
+bool plan_windows(const sema::Spec& spec, const sema::Decision& from, const ir::Module& module,
                   ir::Decision& decision, const WindowTables& tables, Trials* trials,
                   diag::Engine& diagnostics);
+
+// Whether this 5030 is of a way that leads out, and ends where control is not given back: that the
+// property fails there is not said.
+bool ends_near_window(const diag::Diagnostic& d);
 
 // Whether a property speaks of a zone that is there at certain times.
 bool has_windows(const ir::Block& property);

@@ -31,7 +31,7 @@ struct Compilation {
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.
 std::optional<FileId> open_source(const std::string& path, Compilation& c);
 
-// What a specification has come to, changed as it may be meanwhile; nullopt: nothing can be built.
+// What a specification has come to, changed as it may be meanwhile; nullopt: it has errors.
 struct BuiltAnew {
   ir::Module module;
   ir::TableMap tables;

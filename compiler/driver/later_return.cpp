@@ -1,9 +1,7 @@
 #include "compiler/driver/later_return.h"
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
-#include <regex>
 #include <set>
 #include <string>
 #include <tuple>
@@ -11,6 +9,7 @@
 
 #include "compiler/analysis/sides.h"
 #include "compiler/driver/model_checker.h"
+#include "compiler/geometry/looks.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/obligations.h"
 
@@ -21,9 +20,10 @@ using verify::LaterReturn;
 using verify::Obligation;
 using verify::Status;
 
-// Each is as much work as the specification itself: so many, and none after that time.
+// Each is as much work as the specification itself: so many, and none of what has taken more than
+// some 20 s (geometry/looks.h).
 constexpr std::size_t tries_most = 3;
-constexpr std::chrono::seconds begun_within{20};
+constexpr std::int64_t looks_most = 800'000'000;
 
 sema::ExprPtr clearance_of(const sema::Spec& spec, const std::string& zone, std::int64_t mm,
                            const SourceRange& at) {
@@ -47,15 +47,11 @@ sema::ExprPtr condition_of(const sema::Spec& spec, const LaterReturn& later,
 }
 
 // "`return when clearance(r, hall) >= 0.89 m;` in `quiet` works"
-std::string text_of(const Compilation& c, const sema::Monitor& monitor, const LaterReturn& later) {
-  const std::string written(c.sources.text(monitor.range));
-  std::smatch found;
-  const bool named = std::regex_search(written, found, std::regex(R"(\bfor\s+(\w+)\s*:)"));
-  const std::string robot = named ? found[1].str() : "r";
+std::string text_of(const sema::Monitor& monitor, const LaterReturn& later) {
   std::string text;
   for (const auto& [zone, mm] : later.clearances_mm) {
-    text += (text.empty() ? "" : " and ") + std::string("clearance(") + robot + ", " + zone +
-            ") >= " + metres(mm);
+    text += (text.empty() ? "" : " and ") + std::string("clearance(") + monitor.robot + ", " +
+            zone + ") >= " + metres(mm);
   }
   return "`return when " + text + ";` in `" + monitor.name + "` works";
 }
@@ -73,7 +69,23 @@ Open open_of(const verify::Report& report) {
   return open;
 }
 
-// With it that switching is shown, and nothing is open that was not.
+// A monitor with another `return when`, for as long as this is there.
+class Waiting {
+ public:
+  Waiting(sema::Monitor& monitor, sema::ExprPtr condition) : monitor_(monitor) {
+    monitor_.return_when.swap(condition);
+    before_ = std::move(condition);
+  }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+  ~Waiting() { monitor_.return_when = std::move(before_); }
+
+ private:
+  sema::Monitor& monitor_;
+  sema::ExprPtr before_;
+};
+
+// With it that switching is shown, nothing is open that was not, and nothing is refuted.
 bool works(Compilation& c, const verify::Report& report, const std::string& decision,
            const LaterReturn& later) {
   sema::Spec& spec = *c.spec;
@@ -96,18 +108,17 @@ bool works(Compilation& c, const verify::Report& report, const std::string& deci
 }  // namespace
 
 void offer_later_return(Compilation& c, verify::Report& report) {
-  const auto begun = std::chrono::steady_clock::now();
+  if (geometry::looks() > looks_most) return;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       if (o.status != Status::unknown) continue;
       const std::size_t count = std::min(o.later.size(), tries_most);
       for (std::size_t k = 0; k < count; ++k) {
         const LaterReturn& later = o.later[k];
-        if (std::chrono::steady_clock::now() - begun > begun_within) return;
         if (!works(c, report, d.name, later)) continue;
         const auto monitor =
             std::ranges::find(c.spec->monitors, later.monitor, &sema::Monitor::name);
-        o.repair = text_of(c, *monitor, later);
+        o.repair = text_of(*monitor, later);
         break;
       }
     }

@@ -72,7 +72,7 @@ class Turns {
   // another one leads back in, and gives the robot back to it.
   [[nodiscard]] bool turns_while_told(std::size_t i, std::size_t j) const {
     const sema::Expr& says = *monitor(j).always;
-    if (!moves(recovery(i)) || !fails_by_inputs(*monitor(i).always)) return false;
+    if (!moves(recovery(i)) || !by_inputs(*monitor(i).always, false)) return false;
     bool heights = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) { heights = heights || is_height(e); });
     if (all_zones(says).empty() && !heights) return false;
@@ -136,14 +136,31 @@ class Turns {
              return !std::holds_alternative<sema::BrakeAndHold>(step);
            });
   }
-  // Inputs alone have it fail, wherever the robot is.
-  static bool fails_by_inputs(const sema::Expr& e) {
-    const auto* logic = std::get_if<sema::Logic>(&e.node);
-    if (logic == nullptr || logic->op != sema::LogicOp::logical_and) {
-      return !sema::speaks_of_robot(e);
+  // Inputs alone may have it be `value`, wherever the robot is; what is not looked into, too.
+  static bool by_inputs(const sema::Expr& e, bool value) {
+    if (const auto* truth = std::get_if<sema::Truth>(&e.node)) return truth->value == value;
+    if (!sema::speaks_of_robot(e)) return true;
+    if (std::holds_alternative<sema::Compare>(e.node) ||
+        std::holds_alternative<sema::InsideZone>(e.node) ||
+        std::holds_alternative<sema::PlanInside>(e.node)) {
+      return false;
     }
-    return std::ranges::any_of(logic->operands,
-                               [](const sema::ExprPtr& each) { return fails_by_inputs(*each); });
+    if (const auto* others = std::get_if<sema::ForOthers>(&e.node)) {
+      return by_inputs(*others->body, value);
+    }
+    const auto* logic = std::get_if<sema::Logic>(&e.node);
+    if (logic == nullptr) return true;
+    using Op = sema::LogicOp;
+    if (logic->op == Op::logical_not) return by_inputs(*logic->operands.front(), !value);
+    const bool implies = logic->op == Op::implies;
+    if (logic->op != Op::logical_and && logic->op != Op::logical_or && !implies) return true;
+    const auto is = [&](const sema::ExprPtr& each) {
+      const bool condition = implies && each == logic->operands.front();
+      return by_inputs(*each, value != condition);
+    };
+    const bool all = value == (logic->op == Op::logical_and);
+    return all ? std::ranges::all_of(logic->operands, is)
+               : std::ranges::any_of(logic->operands, is);
   }
   // What neither rest nor a place in a zone settles.
   static bool asks_for_more(const sema::Expr& e) {
@@ -209,9 +226,9 @@ class Turns {
     return keeps_heights(*monitor(j).always, true, solid->slabs().front().floor + left, gap) &&
            keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
   }
-  // Of zones, one side of it may be what rest settles, and another one what holds. Without any,
-  // rest settles every side that is not about inputs alone. Where inputs are all that the other
-  // sides ask, one that is settled holds whatever they say.
+  // One side of it may be what rest settles, and another one what a place does: it is not known
+  // which of them holds. Where inputs are all that the other sides ask, the one that is settled
+  // holds whatever they say.
   static bool is_choice(const sema::Expr& e) {
     const auto* logic = std::get_if<sema::Logic>(&e.node);
     if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return false;

@@ -44,6 +44,7 @@ class MonitorChecker {
       return;
     }
     self_ = *written_.variable;
+    monitor_.robot = self_.text;
     kind_ = context_.resolve<KindId>(*written_.kind, Sort::robot_kind);
     if (kind_) monitor_.kind = *kind_;
     const Symbol* hidden = context_.symbols.find(self_.text);

@@ -554,6 +554,7 @@ struct Ahead {
 struct Monitor {
   std::string name;
   SourceRange name_range, range;
+  std::string robot;  // as the property calls it
   KindId kind;
   std::string requirement_id;    // "SR-3", the part before the first colon; may be empty
   std::string requirement_text;  // the rest

@@ -9,6 +9,7 @@
 #include "compiler/analysis/joint_return.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -194,7 +195,8 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 // waiting may still get out in time.
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
-         d.code == Code::window_may_pass || analysis::lands_near_the_limit(d) ||
+         d.code == Code::window_may_pass || analysis::ends_near_window(d) ||
+         analysis::lands_near_the_limit(d) ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 

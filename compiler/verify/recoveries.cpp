@@ -236,6 +236,13 @@ bool share_inputs(const Subject& s, std::size_t a, std::size_t b) {
       one, [&](sema::InputId id) { return std::ranges::find(other, id) != other.end(); });
 }
 
+// No inputs have it fail, whatever the robot does.
+bool is_never_false(const Subject& s, std::size_t k) {
+  const analysis::Told told =
+      analysis::told_to_be(s.spec, *s.monitor(k).always, false, analysis::ToldHow::exactly);
+  return told.can == analysis::CanBeTold::no;
+}
+
 // Where a monitor is engaged from the start on: at rest beside a boundary of the zone that its
 // recovery moves within, nearer than control is given back.
 std::optional<std::pair<std::int64_t, std::int64_t>> engaged_at(const Subject& s,
@@ -279,7 +286,8 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   o.status = Status::refuted;
   o.method = "geometry and bounds";
   // what inputs may ask for nobody has to drive to: it drives faster than that as it is written
-  o.by_a_run = !entry.while_told || i.recovery.speed_mmps <= analysis::least_limit_mmps(j.property);
+  o.by_a_run = !entry.while_told || share_inputs(s, driving, judged) || is_never_false(s, judged) ||
+               i.recovery.speed_mmps <= analysis::least_limit_mmps(j.property);
   o.starts = starts_of_damage(s, driving, judged);
   if (atoms_of(j.property).charge) o.place_mm = engaged_at(s, i);
   if (!o.place_mm) o.place_mm = i.returns.stuck_mm;  // it waits there for ever

@@ -209,12 +209,20 @@ const protocol::Answer* first(const Answers& answers, protocol::Answer::Kind kin
   return at == answers.end() ? nullptr : &*at;
 }
 
-// Whether inputs alone have it fail, wherever the robot is.
-bool fails_by_inputs(const ir::Block& block, ir::ValueId id) {
-  if (const auto* both = std::get_if<ir::And>(&block[id].op)) {
-    return fails_by_inputs(block, both->a) || fails_by_inputs(block, both->b);
+// Whether inputs alone may have it be `value`, wherever the robot is; each of them may be told
+// both.
+bool by_inputs(const ir::Block& block, ir::ValueId id, bool value) {
+  const ir::Op& op = block[id].op;
+  const auto of = [&](ir::ValueId side) { return by_inputs(block, side, value); };
+  if (std::holds_alternative<ir::Fact>(op)) return true;
+  if (const auto* truth = std::get_if<ir::Truth>(&op)) return truth->value == value;
+  if (const auto* negated = std::get_if<ir::Not>(&op)) return by_inputs(block, negated->a, !value);
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    return value ? of(both->a) && of(both->b) : of(both->a) || of(both->b);
   }
-  return analysis::told(block, id);
+  const auto* either = std::get_if<ir::Or>(&op);
+  if (either == nullptr) return false;
+  return value ? of(either->a) || of(either->b) : of(either->a) && of(either->b);
 }
 
 // While inputs ask for a recovery that leads out of what another monitor says, that one takes over,
@@ -223,7 +231,8 @@ bool fails_by_inputs(const ir::Block& block, ir::ValueId id) {
 struct WhileTold {
   std::string why, repair;  // of the first pair; of all, where one is enough
 };
-WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix) {
+WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix,
+                           const protocol::Arbitration& known) {
   const auto& monitors = s.decision.monitors;
   WhileTold found;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -233,21 +242,21 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
       return step->kind != ir::RecoveryKind::brake;
     });
     const ir::Block& says = monitors[i].property;
-    const bool told = atoms_of(says).only_facts() || fails_by_inputs(says, says.result);
-    if (!moves || !told) continue;
+    if (!moves || !by_inputs(says, says.result, false)) continue;
     for (std::size_t j = 0; j < matrix.size(); ++j) {
       const Atoms atoms = atoms_of(monitors[j].property);
-      const analysis::Keeping k = matrix[i][j].keeping;
-      if (!atoms.clearance && !atoms.altitude) continue;
-      if (k != analysis::Keeping::guarded && k != analysis::Keeping::coordinated) continue;
+      if ((!atoms.clearance && !atoms.altitude) || known.keeps[i][j]) continue;
       if (ir::acknowledged(s.decision, asked.name, monitors[j].name)) continue;
       const ir::RecoveryKind back = ir::last_step(monitors[j].recovery).kind;
       const bool stands = back == ir::RecoveryKind::brake || !monitors[j].hold_reason.empty();
-      if (stands || matrix[i][j].while_told) continue;
+      if (stands) continue;
       if (!found.why.empty()) return {found.why, ""};
+      const std::string& why = matrix[i][j].why;
       found = {"as long as inputs ask for " + quoted(asked.name) + ", it and " +
-                   quoted(monitors[j].recovery.name) +
-                   " may take over from each other: " + matrix[i][j].why,
+                   quoted(monitors[j].recovery.name) + " may take over from each other: " +
+                   (why.empty()
+                        ? quoted(asked.name) + " is not shown to keep " + quoted(monitors[j].name)
+                        : why),
                matrix[i][j].help};
     }
   }
@@ -369,6 +378,7 @@ std::vector<LaterReturn> later_returns(const Subject& s, const protocol::Arbitra
   for (std::size_t i = 0; i < monitors.size(); ++i) {
     if (monitors[i].return_when) continue;
     LaterReturn later{monitors[i].name, {}};
+    bool can_be_written = true;
     const bool leads = leads_back(s, i);
     for (std::size_t j = 0; j < monitors.size(); ++j) {
       LedOn waiting = led_on(s, known, i, j);
@@ -378,12 +388,13 @@ std::vector<LaterReturn> later_returns(const Subject& s, const protocol::Arbitra
       std::vector<ir::ZoneIndex> zones;
       (void)places_whatever_told(s, says, says.result, zones);
       for (const ir::ZoneIndex zone : zones) {
-        if (!is_declared(s.module[zone].name) || s.module[zone].has_height()) continue;
+        can_be_written =
+            can_be_written && is_declared(s.module[zone].name) && !s.module[zone].has_height();
         std::int64_t& mm = later.clearances_mm[s.module[zone].name];
         mm = std::max(mm, returned_mm(s, zone) - s.decision.body.radius_mm);
       }
     }
-    if (!later.clearances_mm.empty()) all.push_back(std::move(later));
+    if (can_be_written && !later.clearances_mm.empty()) all.push_back(std::move(later));
   }
   return all;
 }
@@ -446,7 +457,7 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {
     return unknown(std::move(o), s, *open);
   }
-  if (WhileTold told = turns_while_told(s, matrix); !told.why.empty()) {
+  if (WhileTold told = turns_while_told(s, matrix, known); !told.why.empty()) {
     o.because = std::move(told.why);
     o.repair = std::move(told.repair);
     return o;

@@ -93,7 +93,9 @@ TEST_P(RefutedOfTwo, IsRefutedAndShown) {
   const std::string text = read(folder() + GetParam() + ".rta");
   for (const char* shared : {"parts.rta", "space_parts.rta"})
     write(shared, read(folder() + shared));
-  write("two.rta", std::regex_replace(text, of_one(), "\nfleet $1, another : $2;"));
+  const std::string of_two = std::regex_replace(text, of_one(), "\nfleet $1, another : $2;");
+  ASSERT_NE(of_two, text);
+  write("two.rta", of_two);
   is_refuted_and_shown("two.rta", expected_of(text));
 }
 
