@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "compiler/diagnostics/engine.h"
 #include "compiler/driver/options.h"
+#include "compiler/geometry/looks.h"
 #include "compiler/ir/module.h"
 #include "compiler/ir/table_map.h"
 #include "compiler/sema/spec.h"
@@ -26,6 +28,7 @@ struct Compilation {
   bool unreadable = false;     // the specification could not be read (exit code 2)
   ir::TableMap tables;         // of `module`
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
+  std::int64_t looks_before = geometry::looks();  // a clock of its own (geometry/looks.h)
 };
 
 // `path`: of the specification, or "-"; nullopt and a report when it cannot be read.
