@@ -102,6 +102,7 @@ class AllowedAtWorst {
   const ir::Block& property_;
   const ExactZone& exact_;
 };
+
 bool is_on(const geometry::Ring& ring, const geometry::Point& a, const geometry::Point& b) {
   const auto off = [](const geometry::Point& from, const geometry::Point& to,
                       const geometry::Point& p) {
@@ -113,6 +114,7 @@ bool is_on(const geometry::Ring& ring, const geometry::Point& a, const geometry:
   }
   return false;
 }
+
 }  // namespace
 
 bool allowed_at_worst(const ir::Module& module, const ir::Decision& decision,

@@ -477,4 +477,14 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
   return all;
 }
 
+bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
+  std::set<sema::InputId> known;
+  for (const sema::Expr* each : all) {
+    for (const sema::InputId id : inputs_in(spec, *each)) {
+      if (!known.insert(id).second) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace rtac::analysis

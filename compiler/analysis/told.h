@@ -33,6 +33,8 @@ Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, 
 Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
+// Whether two of these speak of one input.
+bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 // Those that are seen to make it true whatever robots sense, as long as they stay; none: there are
 // none, or they were not found.
 std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property);

@@ -69,20 +69,18 @@ Open open_of(const verify::Report& report) {
   return open;
 }
 
-// A monitor with another `return when`, for as long as this is there.
+// A monitor with that `return when`, which has none of its own, for as long as this is there.
 class Waiting {
  public:
   Waiting(sema::Monitor& monitor, sema::ExprPtr condition) : monitor_(monitor) {
-    monitor_.return_when.swap(condition);
-    before_ = std::move(condition);
+    monitor_.return_when = std::move(condition);
   }
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
-  ~Waiting() { monitor_.return_when = std::move(before_); }
+  ~Waiting() { monitor_.return_when = nullptr; }
 
  private:
   sema::Monitor& monitor_;
-  sema::ExprPtr before_;
 };
 
 // With it that switching is shown, nothing is open that was not, and nothing is refuted.
@@ -91,18 +89,14 @@ bool works(Compilation& c, const verify::Report& report, const std::string& deci
   sema::Spec& spec = *c.spec;
   const auto monitor = std::ranges::find(spec.monitors, later.monitor, &sema::Monitor::name);
   if (monitor == spec.monitors.end() || monitor->return_when) return false;
-  monitor->return_when = condition_of(spec, later, monitor->always_range);
+  const Waiting waits(*monitor, condition_of(spec, later, monitor->always_range));
   const auto built = build_anew(spec, c.sources);
-  bool shown = false;
-  if (built) {
-    const verify::Report anew =
-        verify::verify(spec, &built->module, built->tables, built->diagnostics.all(), check_model);
-    Open before = open_of(report);
-    before.erase({decision, verify::Kind::switching, "", ""});
-    shown = std::ranges::includes(before, open_of(anew));
-  }
-  monitor->return_when = nullptr;
-  return shown;
+  if (!built) return false;
+  const verify::Report anew =
+      verify::verify(spec, &built->module, built->tables, built->diagnostics.all(), check_model);
+  Open before = open_of(report);
+  before.erase({decision, verify::Kind::switching, "", ""});
+  return verify::worst(anew) != Status::refuted && std::ranges::includes(before, open_of(anew));
 }
 
 }  // namespace

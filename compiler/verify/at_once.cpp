@@ -1,23 +1,8 @@
 // What several monitors say of inputs, and ask for to let go: whether it can be so at once.
-#include <set>
-
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
-namespace {
-
-bool share_inputs(const Subject& s, const std::vector<const sema::Expr*>& all) {
-  std::set<sema::InputId> known;
-  for (const sema::Expr* each : all) {
-    for (const sema::InputId id : analysis::inputs_in(s.spec, *each)) {
-      if (!known.insert(id).second) return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& told) {
   std::string all;
@@ -43,7 +28,7 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     if (m.return_when) said.push_back(m.return_when.get());
     names += (names.empty() ? "" : ", ") + quoted(m.name);
   }
-  if (!share_inputs(s, said)) return o;  // each can be so by itself
+  if (!analysis::share_inputs(s.spec, said)) return o;  // each can be so by itself
   const analysis::Told told = analysis::told_at_once(s.spec, said);
   if (told.can == analysis::CanBeTold::yes) {
     Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};

@@ -228,12 +228,9 @@ bool inputs_decide(const Subject& s, const ir::Monitor& m,
   return says && told == 1 && says->yes && says->no;
 }
 
-// Two properties speak of one input: what has one of them fail may make the other one hold.
+// What has one of the two properties fail may make the other one hold.
 bool share_inputs(const Subject& s, std::size_t a, std::size_t b) {
-  const auto one = analysis::inputs_in(s.spec, *s.monitor(a).always);
-  const auto other = analysis::inputs_in(s.spec, *s.monitor(b).always);
-  return std::ranges::any_of(
-      one, [&](sema::InputId id) { return std::ranges::find(other, id) != other.end(); });
+  return analysis::share_inputs(s.spec, {s.monitor(a).always.get(), s.monitor(b).always.get()});
 }
 
 // No inputs have it fail, whatever the robot does.

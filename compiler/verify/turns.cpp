@@ -331,10 +331,6 @@ bool keeps(const Subject& s, const analysis::Entry& entry, std::size_t i, std::s
                       [](const Claim& c) { return c.what == "outranks"; });
 }
 
-}  // namespace
-
-namespace {
-
 // Of recovery i and monitor j; what is kept is known.
 LedOn led_on(const Subject& s, const protocol::Arbitration& known, std::size_t i, std::size_t j) {
   const ir::Recovery& leading = s.decision.monitors[i].recovery;
