@@ -247,13 +247,16 @@ class Reader {
   bool stays_;
 };
 
+struct Said {
+  const sema::Expr* property;
+  bool suits;  // what anything is that inputs do not decide
+};
+
 class Search {
  public:
-  // `suits`: what anything is that inputs do not decide.
-  Search(const sema::Spec& spec, std::vector<const sema::Expr*> all, bool value, ToldHow how,
-         bool suits)
-      : spec_(spec), all_(std::move(all)), value_(value), how_(how), suits_(suits) {
-    for (const sema::Expr* each : all_) collect(*each);
+  Search(const sema::Spec& spec, std::vector<Said> all, bool value, ToldHow how)
+      : spec_(spec), all_(std::move(all)), value_(value), how_(how) {
+    for (const Said& each : all_) collect(*each.property);
   }
 
   Told run() {
@@ -360,8 +363,8 @@ class Search {
   // Of several, that each of them is as it is asked to be.
   [[nodiscard]] Truth3 truth(const Reader& reader) const {
     Truth3 found = from(value_);
-    for (const sema::Expr* each : all_) {
-      const Truth3 is = reader.truth(*each, suits_);
+    for (const Said& each : all_) {
+      const Truth3 is = reader.truth(*each.property, each.suits);
       if (is == from(!value_)) return is;
       if (is == Truth3::open) found = is;
     }
@@ -420,10 +423,9 @@ class Search {
   }
 
   const sema::Spec& spec_;
-  const std::vector<const sema::Expr*> all_;
+  const std::vector<Said> all_;
   bool value_;
   ToldHow how_;
-  bool suits_;
   Box ever_;  // whatever is measured
   bool looks_back_ = false;
   Variables variables_;
@@ -432,10 +434,14 @@ class Search {
 }  // namespace
 
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
-  return Search(spec, {&property}, value, how, value).run();
+  return Search(spec, {{&property, value}}, value, how).run();
 }
-Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
-  return Search(spec, all, true, ToldHow::seen, true).run();
+Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+                  const std::vector<const sema::Expr*>& whatever_is_sensed) {
+  std::vector<Said> asked;
+  for (const sema::Expr* each : all) asked.push_back({each, true});
+  for (const sema::Expr* each : whatever_is_sensed) asked.push_back({each, false});
+  return Search(spec, std::move(asked), true, ToldHow::seen).run();
 }
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e) {
   std::set<sema::InputId> all;
@@ -452,10 +458,6 @@ std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e) {
     }
   });
   return all;
-}
-std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property) {
-  const Told told = Search(spec, {&property}, true, ToldHow::seen, false).run();
-  return told.can == CanBeTold::yes ? told.inputs : std::vector<ToldInput>();
 }
 
 std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs) {

@@ -29,15 +29,14 @@ enum class ToldHow { exactly, seen };
 // Whether inputs within their ranges make `property` be `value`, whatever the parameters are. no:
 // none does, with any parameters; open: nobody knows.
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how);
-// Whether inputs are seen to make all of these true at once.
-Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
+// Whether inputs are seen to make all of these true at once, and some as long as they stay,
+// whatever robots sense.
+Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+                  const std::vector<const sema::Expr*>& whatever_is_sensed = {});
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
 // Whether two of these speak of one input.
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
-// Those that are seen to make it true whatever robots sense, as long as they stay; none: there are
-// none, or they were not found.
-std::vector<ToldInput> told_whatever_is_sensed(const sema::Spec& spec, const sema::Expr& property);
 
 // "load = 20, not door", of the specification.
 std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inputs);

@@ -12,13 +12,15 @@ hidden byte kept;
 #define SHOWN(i, j) shown[(i) * MONITORS + (j)]
 #define FITS(i, j) fits[(i) * MONITORS + (j)]
 
-/* What was found under the motion of who drives: as good where no recovery is faster. */
+/* What was found under the motion of who drives: as good where no recovery is faster. Only what is asked
+ * for is kept, so that fewer states differ. */
 inline note(m) {
   false_now[m] = violated;
-  sure[m] = safer;
+  sure[m] = 0;
   row = 0;
   do
-  :: row < MONITORS -> FITS(row, m) = clear; row++
+  :: row < MONITORS && SHOWN(row, m) == 0 -> FITS(row, m) = clear; sure[m] = safer; row++
+  :: row < MONITORS && SHOWN(row, m) != 0 -> FITS(row, m) = 0; row++
   :: else -> break
   od
 }

@@ -307,37 +307,47 @@ class Check {
       }
     }
   }
-  // They ask for no place while inputs are as it is said.
-  static std::set<std::string> true_by_inputs_alone(const sema::Decision& d, const Entry& e) {
-    std::set<std::string> names;
+  // What inputs have to be for all monitors is so at once: the claim of it, if it takes one.
+  const Claim* told_at_once(const sema::Decision& d, const Entry& e) {
+    std::vector<const Claim*> said;
     for (const Claim& c : e.claims) {
-      const bool alone = c.what == "told" && text(c.values, "alone") == "true";
-      if (alone && text(c.values, "decision") == d.name) names.insert(text(c.values, "monitor"));
+      const bool of_all = c.what == "at_once" && c.values.count("monitor") == 0;
+      if (of_all && text(c.values, "decision") == d.name) said.push_back(&c);
     }
-    return names;
+    if (said.empty() && asks_at_once(spec_, said_by(spec_, d, ""))) {
+      fail(whom(d, e) + ": it rests on no claim `at_once`");
+    }
+    if (said.size() > 1) fail(whom(d, e) + ": inputs are said to be several things at once");
+    return said.empty() ? nullptr : said.front();
   }
-  // What inputs have to be for all monitors is so at once.
-  void told_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& alone) {
-    if (!asks_at_once(spec_, said_by(spec_, d, "", alone))) return;
-    const bool said = std::ranges::any_of(e.claims, [&](const Claim& c) {
-      return c.what == "at_once" && text(c.values, "decision") == d.name &&
-             c.values.count("monitor") == 0 &&
-             std::ranges::includes(alone, names_in(text(c.values, "but")));
-    });
-    if (!said) fail(whom(d, e) + ": it rests on no claim `at_once`");
+  // What a monitor says is true in these zones, with inputs as they are said to be.
+  void in_its_zones(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
+                    const Claim* told, const std::set<std::string>& zones) {
+    one_side_each(d, e, m, zones);
+    const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
+    if (told == nullptr || !inputs) return;
+    const auto lacks = [&](const sema::Expr& part) {
+      const auto asked = all_zones(part);
+      return !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
+        return zones.contains(claims_.zones().name(zone));
+      });
+    };
+    if (told_makes_true_but(spec_, *m.always, *inputs, lacks)) return;
+    fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
   }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
-    told_at_once(d, e, true_by_inputs_alone(d, e));
+    const Claim* const told = told_at_once(d, e);
+    // which ask for no place then
+    const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
     if (has(e, "no_fences", {{"decision", d.name}})) {
       for (const sema::MonitorId id : d.priority) {
-        if (!spec_[id].ahead.waypoints_only) one_side_each(d, e, spec_[id], {});
+        if (!spec_[id].ahead.waypoints_only) in_its_zones(d, e, spec_[id], told, {});
       }
       return;
     }
     std::set<std::string> zones, places, heights, named;
     std::string height;
-    const std::set<std::string> alone = true_by_inputs_alone(d, e);
     const auto asks = [&](sema::MonitorId id) {
       return !spec_[id].ahead.waypoints_only && !alone.contains(spec_[id].name);
     };
@@ -359,7 +369,7 @@ class Check {
       if (c.what == "place") height = text(c.values, "z_mm");
     }
     for (const sema::MonitorId id : d.priority) {
-      if (asks(id)) one_side_each(d, e, spec_[id], named);
+      if (asks(id)) in_its_zones(d, e, spec_[id], told, named);
     }
     if (places.empty()) need(d, e, "no_fences");
     const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {
@@ -599,7 +609,7 @@ class Check {
            !std::holds_alternative<sema::Yield>(steps.back());
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    if (asks_at_once(spec_, said_by(spec_, d, m.name, {}))) {
+    if (asks_at_once(spec_, said_by(spec_, d, m.name))) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }
     if (m.recover) charged(d, e, spec_[*m.recover], m);

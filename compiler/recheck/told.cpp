@@ -17,15 +17,21 @@ using Known = std::optional<Bounds>;
 
 class Reader {
  public:
-  // `anyhow`: what no input decides may be anything, and else is as it suits.
-  Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false)
-      : spec_(spec), inputs_(inputs), with_errors_(with_errors), anyhow_(anyhow) {}
+  // `anyhow`: what no input decides may be anything, and else is as it suits, but what `lacks`
+  // names may be false.
+  Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false,
+         std::function<bool(const sema::Expr&)> lacks = {})
+      : spec_(spec),
+        inputs_(inputs),
+        with_errors_(with_errors),
+        anyhow_(anyhow),
+        lacks_(std::move(lacks)) {}
 
   // Whether it can be so in spite of what suits.
   [[nodiscard]] bool can_be(const sema::Expr& e, bool value, bool suits) const {
     if (const auto* v = std::get_if<sema::Truth>(&e.node)) return v->value == value;
     if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value, suits);
-    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, value);
+    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, e, value);
     if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) {
       // at first it is not
       return anyhow_ || (suits && can_be(*v->operand, value, suits));
@@ -47,7 +53,7 @@ class Reader {
       const Known b = measured(v->right.input, v->right.component);
       return a && b ? (a->lo == b->lo) == value : anyhow_;
     }
-    return anyhow_;
+    return otherwise(e, value);
   }
 
  private:
@@ -83,9 +89,12 @@ class Reader {
     }
     return true;
   }
-  [[nodiscard]] bool compare(const sema::Compare& v, bool value) const {
+  [[nodiscard]] bool otherwise(const sema::Expr& e, bool value) const {
+    return anyhow_ || (!value && lacks_ && lacks_(e));
+  }
+  [[nodiscard]] bool compare(const sema::Compare& v, const sema::Expr& e, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
-    if (!a || !b) return anyhow_;
+    if (!a || !b) return otherwise(e, value);
     const auto is_age = [](const sema::Expr& e) {
       return std::holds_alternative<sema::AgeOf>(e.node);
     };
@@ -197,6 +206,7 @@ class Reader {
   const sema::Spec& spec_;
   const ToldInputs& inputs_;
   bool with_errors_, anyhow_;
+  std::function<bool(const sema::Expr&)> lacks_;
 };
 
 bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
@@ -275,6 +285,12 @@ bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldIn
          !Reader(spec, inputs, value).can_be(property, !value, value);
 }
 
+bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
+                         const ToldInputs& inputs,
+                         const std::function<bool(const sema::Expr&)>& lacks) {
+  return !Reader(spec, inputs, true, false, lacks).can_be(property, false, true);
+}
+
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,
                       const ToldInputs& inputs) {
   return !inputs.empty() && !Reader(spec, inputs, true, true).can_be(property, false, false);
@@ -292,19 +308,6 @@ std::optional<Doubt> Claims::told(const Values& v) {
   if (!told_makes(spec_, *m->always, *inputs, value == "true")) {
     return wrong("with those inputs the property need not be " + value);
   }
-  if (text(v, "alone") != "true") return std::nullopt;
-  if (value != "true" || m->return_when || !told_alone_makes(spec_, *m->always, *inputs)) {
-    return wrong("with those inputs alone the property need not be true");
-  }
-  for (const sema::MonitorId id : d->priority) {
-    if (&spec_[id] == m) continue;
-    const sema::Monitor& other = spec_[id];
-    std::set<sema::InputId> asked = spoken_of(spec_, *other.always);
-    if (other.return_when) asked.merge(spoken_of(spec_, *other.return_when));
-    for (const auto& each : *inputs) {
-      if (asked.contains(each.first.first)) return wrong("`" + other.name + "` asks for them, too");
-    }
-  }
   return std::nullopt;
 }
 
@@ -318,11 +321,11 @@ bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
   return false;
 }
 std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
-                                       const std::string& only, const std::set<std::string>& but) {
+                                       const std::string& only) {
   std::vector<const sema::Expr*> all;
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec[id];
-    if ((!only.empty() && m.name != only) || but.contains(m.name)) continue;
+    if (!only.empty() && m.name != only) continue;
     all.push_back(m.always.get());
     if (m.return_when) all.push_back(m.return_when.get());
   }
@@ -333,9 +336,15 @@ std::optional<Doubt> Claims::at_once(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto inputs = told_inputs(spec_, text(v, "inputs"));
   if (d == nullptr || !inputs) return wrong("the inputs cannot be measured so");
-  for (const sema::Expr* each : said_by(spec_, *d, text(v, "monitor"), names_in(text(v, "but")))) {
+  for (const sema::Expr* each : said_by(spec_, *d, text(v, "monitor"))) {
     if (told_makes(spec_, *each, *inputs, true)) continue;
     return wrong("with those inputs not all that is asked for need be true");
+  }
+  for (const std::string& name : names_in(text(v, "alone"))) {
+    const sema::Monitor* const m = monitor_of(spec_, *d, name);
+    const bool is = m != nullptr && !m->return_when && told_alone_makes(spec_, *m->always, *inputs);
+    if (is) continue;
+    return wrong("with those inputs alone the property of `" + name + "` need not be true");
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // Whether inputs make a property what it is said to be, from what is written.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,10 +24,9 @@ std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string&
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
 // The same inputs, and those whose age it speaks of.
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
-// What the monitors of a decision say, and ask for to return: of `only` one of them, or of all but
-// some.
+// What the monitors of a decision say, and ask for to return; or `only` one of them.
 std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
-                                       const std::string& only, const std::set<std::string>& but);
+                                       const std::string& only);
 // Whether two of these speak of one input, so that they may exclude each other.
 bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as
@@ -34,6 +34,10 @@ bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
 // and false where there are none.
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value);
+// Whether it is true while these are measured, and nothing else suits that `lacks` says may fail.
+bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
+                         const ToldInputs& inputs,
+                         const std::function<bool(const sema::Expr&)>& lacks);
 // Whether it is true then whatever else is sensed, as long as they stay so.
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs);
 

@@ -13,27 +13,32 @@ std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& 
   return all;
 }
 
+std::string names_of_told(const Subject& s) {
+  std::string all;
+  for (const std::size_t k : s.told) {
+    all += (all.empty() ? "" : ";") + s.decision.monitors[k].name;
+  }
+  return all;
+}
+
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation o) {
   if (o.status != Status::proved) return o;
-  std::vector<const sema::Expr*> said;
-  std::string names, but;
+  std::vector<const sema::Expr*> said, alone;
+  std::string names;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     if (only && k != *only) continue;
     const sema::Monitor& m = s.monitor(k);
-    if (!only && s.told.contains(k)) {
-      but += (but.empty() ? "" : ";") + m.name;
-      continue;
-    }
-    said.push_back(m.always.get());
+    (s.told.contains(k) ? alone : said).push_back(m.always.get());
     if (m.return_when) said.push_back(m.return_when.get());
     names += (names.empty() ? "" : ", ") + quoted(m.name);
   }
-  if (!analysis::share_inputs(s.spec, said)) return o;  // each can be so by itself
-  const analysis::Told told = analysis::told_at_once(s.spec, said);
+  // else each can be so by itself
+  if (alone.empty() && !analysis::share_inputs(s.spec, said)) return o;
+  const analysis::Told told = analysis::told_at_once(s.spec, said, alone);
   if (told.can == analysis::CanBeTold::yes) {
     Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};
     if (only) claim.values["monitor"] = s.decision.monitors[*only].name;
-    if (!but.empty()) claim.values["but"] = but;
+    if (!alone.empty()) claim.values["alone"] = names_of_told(s);
     if (!told.inputs.empty()) o.because += ", with " + told_text(s.spec, told.inputs);
     o.claims.push_back(std::move(claim));
     return o;

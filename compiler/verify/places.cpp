@@ -2,6 +2,7 @@
 // monitors of a decision give control back.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "compiler/analysis/across.h"
 #include "compiler/analysis/fences.h"
@@ -512,31 +513,6 @@ std::string never_so_far_apart(const Subject& s) {
   return "";
 }
 
-// Whether a property speaks of one of them.
-bool asks_for(const Subject& s, const sema::Expr& property,
-              const std::vector<analysis::ToldInput>& inputs) {
-  const auto spoken_of = analysis::inputs_in(s.spec, property);
-  return std::ranges::any_of(inputs,
-                             [&](const auto& each) { return spoken_of.contains(each.input); });
-}
-// What inputs make true that no other monitor speaks of, wherever the robot is.
-Subject with_inputs_that_suit(const Subject& s) {
-  Subject with = s;
-  const std::size_t count = s.decision.monitors.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!s.looks_at_places(k) || s.decision.monitors[k].return_when) continue;
-    auto inputs = analysis::told_whatever_is_sensed(s.spec, *s.monitor(k).always);
-    bool shared = inputs.empty();
-    for (std::size_t other = 0; other < count; ++other) {
-      const sema::Monitor& m = s.monitor(other);
-      shared = shared || (other != k && (asks_for(s, *m.always, inputs) ||
-                                         (m.return_when && asks_for(s, *m.return_when, inputs))));
-    }
-    if (!shared) with.told[k] = std::move(inputs);
-  }
-  return with;
-}
-
 Obligation returned_as_they_say(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -590,27 +566,66 @@ Obligation returned_as_they_say(const Subject& s) {
   return o;
 }
 
+using Monitors = std::set<std::size_t>;
+
+// That inputs might make true wherever robots are.
+Monitors that_inputs_may_make_true(const Subject& s) {
+  Monitors all;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const sema::Monitor& m = s.monitor(k);
+    if (!s.looks_at_places(k) || m.return_when) continue;
+    if (!analysis::inputs_in(s.spec, *m.always).empty()) all.insert(k);
+  }
+  return all;
+}
+// All sets of a few of them, those of more first; and that of all.
+std::vector<Monitors> sets_of(const Monitors& of) {
+  constexpr std::size_t few = 5;
+  std::vector<Monitors> all{{}};
+  for (const std::size_t k : of) {
+    if (all.size() == 1U << few) break;
+    const std::vector<Monitors> without = all;
+    for (Monitors set : without) {
+      set.insert(k);
+      all.push_back(std::move(set));
+    }
+  }
+  all.erase(all.begin());
+  if (of.size() > few) all.push_back(of);
+  std::ranges::stable_sort(all, std::greater<>(), &Monitors::size);
+  return all;
+}
+
 }  // namespace
 
 Obligation returns_together(const Subject& s) {
-  const Obligation o = told_at_once(s, std::nullopt, returned_as_they_say(s));
-  if (o.status == Status::proved) return o;
-  const Subject with = with_inputs_that_suit(s);
-  if (with.told.empty()) return o;
-  Obligation told = told_at_once(with, std::nullopt, returned_as_they_say(with));
-  const auto is_place = [](const Claim& c) { return c.what == "place" || c.what == "returned"; };
-  if (told.status != Status::proved || std::ranges::none_of(told.claims, is_place)) {
-    if (o.status != Status::refuted || told.status == Status::refuted) return o;
+  const Obligation places = returned_as_they_say(s);
+  Obligation o = told_at_once(s, std::nullopt, places);
+  // what inputs exclude they do not allow where they decide alone
+  if (places.status == Status::proved) return o;
+  std::vector<Monitors> without_place;
+  for (Monitors& told : sets_of(that_inputs_may_make_true(s))) {
+    // of fewer all is asked that is asked of more
+    const bool known = std::ranges::any_of(
+        without_place, [&](const Monitors& more) { return std::ranges::includes(more, told); });
+    if (known) continue;
+    Subject with = s;
+    with.told = std::move(told);
+    Obligation each = returned_as_they_say(with);
+    if (each.status == Status::refuted) {
+      without_place.push_back(std::move(with.told));
+      continue;
+    }
+    each = told_at_once(with, std::nullopt, std::move(each));
+    const auto is_place = [](const Claim& c) { return c.what == "place" || c.what == "returned"; };
+    if (each.status == Status::proved && std::ranges::any_of(each.claims, is_place)) return each;
+    if (o.status != Status::refuted || each.status == Status::refuted) continue;
     // what inputs may keep from asking refutes nothing
-    told.status = Status::unknown;
-    told.claims.clear();
-    return told;
+    o = std::move(each);
+    o.status = Status::unknown;
+    o.claims.clear();
   }
-  for (const auto& [k, inputs] : with.told) {
-    claim_told(s, k, true, inputs, told);
-    told.claims.back().values["alone"] = "true";
-  }
-  return told;
+  return o;
 }
 
 }  // namespace rtac::verify

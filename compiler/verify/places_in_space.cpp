@@ -35,13 +35,6 @@ struct Band {
   bool asked = false;
   bool beside_others = false;  // some heights are one side of what another side may do for
 };
-std::string names_of_told(const Subject& s) {
-  std::string all;
-  for (const auto& [k, inputs] : s.told) {
-    all += (all.empty() ? "" : ";") + s.decision.monitors[k].name;
-  }
-  return all;
-}
 bool speaks_of_height(const sema::Expr& e) {
   bool found = false;
   sema::for_each_expr(e, [&](const sema::Expr& each) {

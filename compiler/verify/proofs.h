@@ -4,9 +4,9 @@
 
 #include <functional>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "compiler/analysis/arbitration.h"
@@ -42,8 +42,8 @@ struct Subject {
   const sema::RobotKind& kind;
   bool is_read = true;  // somebody reads the texts, and not only what is shown
   std::shared_ptr<analysis::KnownPlaces> known = std::make_shared<analysis::KnownPlaces>();
-  // Monitors that inputs alone make true, which then ask for no place, with those inputs.
-  std::map<std::size_t, std::vector<analysis::ToldInput>> told{};
+  // Monitors that inputs alone make true, which then ask for no place.
+  std::set<std::size_t> told{};
   [[nodiscard]] bool looks_at_places(std::size_t k) const {
     return decision.monitors[k].lookahead.duration && !told.contains(k);
   }
@@ -152,8 +152,10 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
 std::vector<Obligation> plan_obligations(const Subject& s);
 
 // Of what is shown for these monitors: inputs make all that they say, and ask for to let go, true
-// at once. `only`: one of them; else all but those that inputs alone make true.
+// at once. `only`: of one of them; else of all, some of which inputs alone make true.
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation proved);
+// Those monitors, separated by `;`.
+std::string names_of_told(const Subject& s);
 // "load.0=20;door.0=1"
 std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& told);
 

@@ -113,10 +113,10 @@ TEST_F(AtOnce, InputsThatSuitAllAreClaimedAndFoundAgain) {
   expect_denied(
       "joint return",
       [](Json& c) {
-        if (c["claim"] == "at_once") c["but"] = "one";
+        if (c["claim"] == "at_once") c["alone"] = "one";
         return true;
       },
-      "no claim `at_once`");
+      "need not be true");
 }
 
 // A robot that rests there is measured beside it.
@@ -149,6 +149,89 @@ TEST_F(AtOnce, APlaceHasOneHeight) {
         return true;
       },
       "it is not one place");
+}
+
+// Two monitors, by night and by day, whose zones share no place; `more` of them.
+std::string by_turns(const std::string& more, const std::string& order) {
+  return R"(spec turns;
+zone hall = rectangle (0 m, 0 m) to (40 m, 14 m);
+zone east = rectangle (14 m, 0 m) to (24 m, 14 m);
+zone west = rectangle (0 m, 0 m) to (12 m, 14 m);
+zone yard = rectangle (100 m, 0 m) to (112 m, 14 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 3 cm   max_age 50 ms;
+  sense   velocity : vector error 3 cm/s max_age 50 ms;
+  output  push : acceleration;
+  latency 20 ms;
+}
+fleet c : Cart;
+input night : bool max_age 1 s;
+controller tour : advanced for Cart extern;
+controller to_east : safe for Cart = retreat within east speed 0.3 m/s;
+controller to_west : safe for Cart = retreat within west speed 0.3 m/s;
+controller to_hall : safe for Cart = retreat within hall speed 0.3 m/s;
+controller to_yard : safe for Cart = retreat within yard speed 0.3 m/s;
+monitor nights for r : Cart { "R1" always night implies r inside east; recover to_east; }
+monitor days for r : Cart { "R2" always not night implies r inside west; recover to_west; }
+)" + more +
+         "decision lead for Cart { advanced tour; period 50 ms; priority nights > days" + order +
+         "; acknowledge to_east may break days \"day comes while it is in the east\"; }\n";
+}
+
+TEST_F(AtOnce, WhereInputsExcludeEachOtherOnlyOneOfThemAsksForAPlace) {
+  proved(by_turns("", ""));
+  const auto given_back = [&](const char* key, const std::string& value) {
+    return [=](Json& c) {
+      if (c["claim"] == "at_once") c[key] = value;
+      return true;
+    };
+  };
+  expect_denied("joint return", given_back("alone", "nights;days"), "need not be true");
+  expect_denied("joint return", given_back("inputs", "night.0=1"), "need not be true");
+  expect_denied(
+      "joint return",
+      [](Json& c) {
+        if (c["claim"] == "at_once") c["inputs"] = "night.0=1", c["alone"] = "";
+        return true;
+      },
+      "nothing is said of a zone");
+  expect_denied("joint return", given_back("monitor", "nights"), "no claim `at_once`");
+  Json twice = report_;
+  for (Json& o : twice["decisions"][0]["obligations"]) {
+    if (o["obligation"] != "joint return") continue;
+    Json other;
+    for (const Json& c : o["claims"]) {
+      if (c["claim"] == "at_once") other = c;
+    }
+    const bool by_night = other["alone"] == "days";
+    other["alone"] = by_night ? "nights" : "days";
+    other["inputs"] = by_night ? "night.0=0" : "night.0=1";
+    o["claims"].push_back(other);
+  }
+  write("certificates/verification.json", twice.dump());
+  EXPECT_EQ(recheck_sealed_anew().status, exit_violation);
+}
+
+TEST_F(AtOnce, WhatThreeSayIsTriedInSets) {
+  const std::string storms =
+      R"(input storm : bool max_age 1 s;
+monitor storms for r : Cart { "R3" always storm implies r inside yard; recover to_yard; }
+)";
+  const Outcome with = judged(by_turns(storms, " > storms"));
+  EXPECT_EQ(statuses(with.out, "joint return", ""), Statuses{"proved"}) << with.out;
+  // of which one asks always, and shares no place with either
+  const std::string fence =
+      R"(monitor fence for r : Cart { "R3" always r inside yard; recover to_yard; }
+)";
+  const Outcome without = judged(by_turns(fence, " > fence"));
+  EXPECT_EQ(statuses(without.out, "joint return", ""), Statuses{"unknown"}) << without.out;
+  const std::string wide =
+      R"(monitor fence for r : Cart { "R3" always r inside hall; recover to_hall; }
+)";
+  const Outcome around = judged(by_turns(wide, " > fence"));
+  EXPECT_EQ(statuses(around.out, "joint return", ""), Statuses{"proved"}) << around.out;
 }
 
 }  // namespace
