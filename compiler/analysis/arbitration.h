@@ -36,7 +36,7 @@ struct Change {
 };
 // That the recovery moves in what all of `parts` have in common instead of `from`.
 struct Within {
-  std::string help;
+  std::string help;  // "": what they have in common, as it is written
   ir::ZoneIndex from{};
   std::vector<ZonePart> parts;
 };

@@ -125,6 +125,8 @@ class Report {
     const auto offer = [&text](const std::string& way) {
       if (!way.empty()) text += (text.empty() ? "" : ", or ") + way;
     };
+    // which takes turns with nobody; after another order it may
+    offer(elsewhere(breach, found[at]));
     if (!decision_.coordinated) {
       const std::vector<std::size_t> order = order_that_keeps(decision_, all_);
       if (!order.empty() && works({order}, found, at)) offer(priority_of(decision_, order));
@@ -135,7 +137,6 @@ class Report {
                                          [&](std::size_t j) { return row[j].help == first.help; });
     if (all && (!first.change || works(*first.change, found, at))) offer(first.help);
     offer(slower(breach, found[at]));
-    offer(elsewhere(breach, found[at]));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
       accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") +
@@ -179,7 +180,8 @@ class Report {
       for (const Within& each : all_[breach.recovery][j].within) {
         const auto works = works_within(*trials_, fault_of(of.code, of.range), own, recovery,
                                         module_, each.from, each.parts);
-        if (works.value_or(false)) return each.help + " works";
+        if (!works.value_or(false)) continue;
+        return each.help.empty() ? within_what_is(each.parts) : each.help + " works";
       }
     }
     const Within all = in_all(breach);
@@ -188,7 +190,10 @@ class Report {
                                   .value_or(false)) {
       return "";
     }
-    const std::string text = written_as(*trials_, module_, all.parts);
+    return within_what_is(all.parts);
+  }
+  [[nodiscard]] std::string within_what_is(const std::vector<ZonePart>& parts) const {
+    const std::string text = written_as(*trials_, module_, parts);
     return text.empty() ? "" : "a recovery within a zone that is `" + text + "` works";
   }
   // In its own zone and in those of all that it does not keep, where they are several: others that

@@ -18,6 +18,7 @@ bool is_boundless(const ir::ZoneTable& zone);
 
 struct Box {  // m
   std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;
+  bool operator==(const Box&) const = default;
 };
 // Around all that bounds such a zone from inside and the places that a robot has to get to, so much
 // wider.

@@ -1,5 +1,6 @@
 #include "compiler/analysis/zone_text.h"
 
+#include <algorithm>
 #include <variant>
 
 #include "compiler/support/words.h"
@@ -26,6 +27,21 @@ const char* sign(sema::ZoneOp op) {
   return op == sema::ZoneOp::intersect ? " & " : " - ";
 }
 
+// With sides along the axes, from its lower left corner, on the millimetre; "": it is none.
+std::string rectangle_text(const sema::ZonePolygon& polygon) {
+  const auto& p = polygon.outer.points;
+  if (p.size() != 4 || !polygon.holes.empty()) return "";
+  const bool along = p[0].y == p[1].y && p[1].x == p[2].x && p[2].y == p[3].y && p[3].x == p[0].x;
+  const bool fine = std::ranges::any_of(p, [](const sema::Point& at) {
+    return Rational(at.x * 1000).get_den() != 1 || Rational(at.y * 1000).get_den() != 1;
+  });
+  if (!along || fine || p[0].x >= p[2].x || p[0].y >= p[2].y) return "";
+  const auto corner = [](const sema::Point& at) {
+    return "(" + metres(at.x) + ", " + metres(at.y) + ")";
+  };
+  return "rectangle " + corner(p[0]) + " to " + corner(p[2]);
+}
+
 }  // namespace
 
 std::string zone_text(const sema::Spec& spec, const sema::ZoneExpr& zone) {
@@ -47,6 +63,14 @@ std::string zone_text(const sema::Spec& spec, const sema::ZoneExpr& zone) {
     const Rational far = by->distance < 0 ? Rational(-by->distance) : by->distance;
     if (of.empty()) return "";
     return (by->distance < 0 ? "shrink(" : "grow(") + of + ", " + metres(far) + ")";
+  }
+  if (const auto* prism = std::get_if<sema::ZonePrism>(&zone.node)) {
+    const std::string base = zone_text(spec, *prism->base);
+    if (base.empty()) return "";
+    return "prism (" + base + ") from " + metres(prism->floor) + " to " + metres(prism->ceiling);
+  }
+  if (const auto* polygon = std::get_if<sema::ZonePolygon>(&zone.node)) {
+    return rectangle_text(*polygon);
   }
   return "";
 }

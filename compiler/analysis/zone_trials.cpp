@@ -17,6 +17,16 @@ using sema::ZoneExpr;
 using sema::ZoneExprPtr;
 using sema::ZoneOp;
 
+sema::ZonePolygon rectangle(const Box& box) {
+  const auto corner = [](std::int64_t x_m, std::int64_t y_m) {
+    return sema::Point{Rational(static_cast<long>(x_m)), Rational(static_cast<long>(y_m))};
+  };
+  sema::ZonePolygon made;
+  made.outer.points = {corner(box.low_x, box.low_y), corner(box.high_x, box.low_y),
+                       corner(box.high_x, box.high_y), corner(box.low_x, box.high_y)};
+  return made;
+}
+
 // Writes a zone of others.
 class Writer {
  public:
@@ -27,6 +37,10 @@ class Writer {
   ZoneExprPtr common(const std::vector<ZonePart>& parts) const {
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const ZonePart& part : parts) {
+      if (part.layer) {
+        join(all, ZoneOp::intersect, prism(*part.layer));
+        continue;
+      }
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
       if (hole) {
         join(rest, ZoneOp::intersect, offset(make(sema::ZoneComplement{*hole}), -part.off_mm));
@@ -47,8 +61,9 @@ class Writer {
   }
   [[nodiscard]] bool has_height(const std::vector<ZonePart>& parts) const {
     return std::ranges::any_of(parts, [&](const ZonePart& part) {
-      return std::ranges::any_of(part.either,
-                                 [&](ir::ZoneIndex zone) { return module_[zone].has_height(); });
+      return part.layer || std::ranges::any_of(part.either, [&](ir::ZoneIndex zone) {
+               return module_[zone].has_height();
+             });
     });
   }
 
@@ -62,6 +77,10 @@ class Writer {
   }
   ZoneExprPtr offset(ZoneExprPtr of, std::int64_t by_mm) const {
     return by_mm == 0 ? std::move(of) : make(sema::ZoneOffset{std::move(of), metres_of(by_mm)});
+  }
+  [[nodiscard]] ZoneExprPtr prism(const Layer& layer) const {
+    return make(sema::ZonePrism{make(rectangle(layer.box)), metres_of(layer.floor_mm),
+                                metres_of(layer.ceiling_mm)});
   }
   void join(ZoneExprPtr& to, ZoneOp op, ZoneExprPtr more) const {
     to = to ? make(sema::ZoneBinary{op, std::move(to), std::move(more)}) : std::move(more);
@@ -95,6 +114,10 @@ std::string name_of(const ir::Module& module, const std::vector<ZonePart>& parts
   std::string name;
   for (const ZonePart& part : parts) {
     for (const ir::ZoneIndex of : part.either) name += module[of].name + " ";
+    if (part.layer) {
+      name +=
+          std::to_string(part.layer->floor_mm) + " to " + std::to_string(part.layer->ceiling_mm);
+    }
     name += std::to_string(part.off_mm) + ";";
   }
   return name;
@@ -107,14 +130,8 @@ bool works_in_box(Trials& trials, const Fault& fault, const SourceRange& all_of,
   const auto old = trials.zone_of(from);
   auto zone = old ? made(trials, module, from, {{{from}}}) : std::nullopt;
   if (!zone || zone->frame != sema::map_frame) return false;
-  const auto corner = [](std::int64_t x_m, std::int64_t y_m) {
-    return sema::Point{Rational(static_cast<long>(x_m)), Rational(static_cast<long>(y_m))};
-  };
-  sema::ZonePolygon rectangle;
-  rectangle.outer.points = {corner(box.low_x, box.low_y), corner(box.high_x, box.low_y),
-                            corner(box.high_x, box.high_y), corner(box.low_x, box.high_y)};
   const SourceRange range = zone->value->range;
-  auto end = std::make_unique<ZoneExpr>(ZoneExpr{range, std::move(rectangle)});
+  auto end = std::make_unique<ZoneExpr>(ZoneExpr{range, rectangle(box)});
   zone->value = std::make_unique<ZoneExpr>(
       ZoneExpr{range, sema::ZoneBinary{ZoneOp::intersect, std::move(zone->value), std::move(end)}});
   return works_in_zone(trials, fault, all_of, recovery, "a box in " + module[from].name, *old,
@@ -128,7 +145,9 @@ std::optional<bool> works_within(Trials& trials, const Fault& fault, const Sourc
                                  ir::ZoneIndex from, const std::vector<ZonePart>& parts) {
   const auto old = trials.zone_of(from);
   auto zone = old ? made(trials, module, from, parts) : std::nullopt;
-  if (!zone) return std::nullopt;
+  const bool layered =
+      std::ranges::any_of(parts, [](const ZonePart& p) { return p.layer.has_value(); });
+  if (!zone || (layered && zone->frame != sema::map_frame)) return std::nullopt;
   return works_in_zone(trials, fault, all_of, recovery, name_of(module, parts), *old,
                        std::move(*zone));
 }

@@ -6,18 +6,27 @@
 #include <string>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/support/source.h"
 
 namespace rtac::analysis {
 
-// What is in one of these zones, and so far from the boundary.
+// What is above or below a box, between two heights.
+struct Layer {
+  Box box;
+  std::int64_t floor_mm = 0, ceiling_mm = 0;
+  bool operator==(const Layer&) const = default;
+};
+// What is in one of these zones, and so far from the boundary; or else in a layer.
 struct ZonePart {
   std::vector<ir::ZoneIndex> either;
   std::int64_t off_mm = 0;
+  std::optional<Layer> layer{};
   bool operator==(const ZonePart&) const = default;
 };
+
 // Whether `fault` is gone, nothing is wrong that was right, and no error of places is left in
 // `all_of`, when `recovery` moves in what all of `parts` have in common instead of `from`. none: a
 // zone is a slab, so that it cannot be tried.

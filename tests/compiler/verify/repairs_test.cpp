@@ -134,6 +134,43 @@ TEST_F(Repaired, ACorridorIsSoWideThatControlIsGivenBackAllAlong) {
   EXPECT_TRUE(narrow(0.95 * by)) << by;
 }
 
+// Before another order, after which recoveries may take turns.
+TEST_F(Repaired, ARecoveryStaysWithinTheHeightsThatAreAllowed) {
+  const auto orchard = [](const std::string& limit, const std::string& order) {
+    return R"(spec orchard;
+zone orchard = prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 40 m;
+robot Quad {
+  body    radius 30 cm;
+  motion  point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense   position : point3  error 5 cm   max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller go   : advanced for Quad extern;
+controller back : safe for Quad = retreat within orchard speed 0.6 m/s;
+controller down : safe for Quad = land to 8 m speed 0.5 m/s;
+monitor walls for r : Quad { "R1" always r inside orchard; recover back; }
+monitor roof  for r : Quad { "R2" always )" +
+           limit + R"(; recover down; }
+decision fly for Quad { advanced go; period 50 ms; priority )" +
+           order + "; }\n";
+  };
+  const std::string limit = "r.position.z <= 20.5 m";
+  const std::string as_declared = orchard(limit, "walls > roof");
+  const std::string repair = repair_of(as_declared, "C", "roof");
+  const std::string zone =
+      "orchard & prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 20.5 m";
+  EXPECT_EQ(repair.find("a recovery within a zone that is `" + zone + "` works"), 0U) << repair;
+  std::string mended = edited(as_declared, "retreat within orchard", "retreat within low");
+  mended = edited(mended, "robot Quad", "zone low = " + zone + ";\nrobot Quad");
+  EXPECT_EQ(verified(mended, {}).status, exit_clean);
+  // higher than that it is open
+  const std::string higher = edited(mended, "to 20.5 m;\nrobot", "to 21.5 m;\nrobot");
+  EXPECT_EQ(repair_of(higher, "C", "roof").find("a recovery within a zone that is `"), 0U);
+}
+
 // An order that works is in the report; one that only breaks another pair is nowhere.
 TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
   const auto high = [](const std::string& order) {
