@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "compiler/diagnostics/engine.h"
@@ -64,6 +65,11 @@ struct LaterReturn {
   std::string monitor;
   std::map<std::string, std::int64_t> clearances_mm;
 };
+// A recovery of another monitor that this one might have.
+struct SameRecovery {
+  std::string monitor, recovery;
+};
+using EndOfTurns = std::variant<LaterReturn, SameRecovery>;
 
 struct Obligation {
   Kind kind{};
@@ -83,7 +89,7 @@ struct Obligation {
   // if not of a robot.
   bool in_turns = false;
   // Which of these may mend that; nothing is claimed of them.
-  std::vector<LaterReturn> later{};
+  std::vector<EndOfTurns> ends{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
   bool declared = false;
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that

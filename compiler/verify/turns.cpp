@@ -3,6 +3,9 @@
 #include "compiler/verify/turns.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
+#include <string>
 
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
@@ -365,12 +368,12 @@ namespace {
 // Of each monitor that gives control back before that is where its recovery leads, and where
 // another one may not: that it waits for the zones which that one asks for. Of those that have a
 // name.
-std::vector<LaterReturn> later_returns(const Subject& s, const protocol::Arbitration& known) {
+std::vector<EndOfTurns> later_returns(const Subject& s, const protocol::Arbitration& known) {
   const auto& monitors = s.decision.monitors;
   const auto is_declared = [&](const std::string& name) {
     return std::ranges::any_of(s.spec.zones, [&](const sema::Zone& z) { return z.name == name; });
   };
-  std::vector<LaterReturn> all;
+  std::vector<EndOfTurns> all;
   for (std::size_t i = 0; i < monitors.size(); ++i) {
     if (monitors[i].return_when) continue;
     LaterReturn later{monitors[i].name, {}};
@@ -390,7 +393,23 @@ std::vector<LaterReturn> later_returns(const Subject& s, const protocol::Arbitra
         mm = std::max(mm, returned_mm(s, zone) - s.decision.body.radius_mm);
       }
     }
-    if (can_be_written && !later.clearances_mm.empty()) all.push_back(std::move(later));
+    if (can_be_written && !later.clearances_mm.empty()) all.emplace_back(std::move(later));
+  }
+  return all;
+}
+// Of monitors whose recoveries take turns, "`back`, `down`": that one of them has that of another.
+std::vector<EndOfTurns> same_recoveries(const ir::Decision& d, const std::string& in_turns) {
+  const auto takes_turns = [&](const ir::Monitor& m) {
+    return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
+  };
+  std::vector<EndOfTurns> all;
+  for (const ir::Monitor& one : d.monitors) {
+    std::set<std::string> tried{one.recovery.name};
+    for (const ir::Monitor& other : d.monitors) {
+      if (!takes_turns(one) || !takes_turns(other)) continue;
+      if (!tried.insert(other.recovery.name).second) continue;
+      all.emplace_back(SameRecovery{one.name, other.recovery.name});
+    }
   }
   return all;
 }
@@ -447,7 +466,10 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   }
   if (const auto* broken = first(answers, protocol::Answer::Kind::broken)) {
     Obligation open = unknown(std::move(o), s, *broken);
-    if (open.in_turns) open.later = later_returns(s, known);
+    if (open.in_turns) {
+      open.ends = later_returns(s, known);
+      std::ranges::move(same_recoveries(s.decision, broken->why), std::back_inserter(open.ends));
+    }
     return open;
   }
   if (const auto* open = first(answers, protocol::Answer::Kind::unknown)) {

@@ -1,4 +1,4 @@
-#include "compiler/driver/later_return.h"
+#include "compiler/driver/end_of_turns.h"
 
 #include <algorithm>
 #include <memory>
@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "compiler/analysis/sides.h"
 #include "compiler/driver/model_checker.h"
@@ -16,13 +17,15 @@
 namespace rtac::driver {
 namespace {
 
+using verify::EndOfTurns;
 using verify::LaterReturn;
 using verify::Obligation;
+using verify::SameRecovery;
 using verify::Status;
 
 // Each is as much work as the specification itself: so many, and none of what has taken more than
 // some 20 s (geometry/looks.h).
-constexpr std::size_t tries_most = 3;
+constexpr std::size_t tries_most = 4;
 constexpr std::int64_t looks_most = 800'000'000;
 
 sema::ExprPtr clearance_of(const sema::Spec& spec, const std::string& zone, std::int64_t mm,
@@ -46,6 +49,10 @@ sema::ExprPtr condition_of(const sema::Spec& spec, const LaterReturn& later,
   return std::make_unique<sema::Expr>(sema::Expr{at, true, {}, std::move(all)});
 }
 
+// "`recover back;` in `quiet` works"
+std::string text_of(const sema::Monitor& monitor, const SameRecovery& same) {
+  return "`recover " + same.recovery + ";` in `" + monitor.name + "` works";
+}
 // "`return when clearance(r, hall) >= 0.89 m;` in `quiet` works"
 std::string text_of(const sema::Monitor& monitor, const LaterReturn& later) {
   std::string text;
@@ -69,50 +76,72 @@ Open open_of(const verify::Report& report) {
   return open;
 }
 
-// A monitor with that `return when`, which has none of its own, for as long as this is there.
-class Waiting {
+// What is written in a specification is something else for as long as this is there.
+template <class T>
+class Changed {
  public:
-  Waiting(sema::Monitor& monitor, sema::ExprPtr condition) : monitor_(monitor) {
-    monitor_.return_when = std::move(condition);
+  Changed(T& written, T to) : written_(written), other_(std::move(to)) {
+    std::swap(written_, other_);
   }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-  ~Waiting() { monitor_.return_when = nullptr; }
+  Changed(const Changed&) = delete;
+  Changed& operator=(const Changed&) = delete;
+  ~Changed() { std::swap(written_, other_); }
 
  private:
-  sema::Monitor& monitor_;
+  T& written_;
+  T other_;
 };
 
-// With it that switching is shown, nothing is open that was not, and nothing is refuted.
-bool works(Compilation& c, const verify::Report& report, const std::string& decision,
-           const LaterReturn& later) {
-  sema::Spec& spec = *c.spec;
-  const auto monitor = std::ranges::find(spec.monitors, later.monitor, &sema::Monitor::name);
-  if (monitor == spec.monitors.end() || monitor->return_when) return false;
-  const Waiting waits(*monitor, condition_of(spec, later, monitor->always_range));
-  const auto built = build_anew(spec, c.sources);
+// That switching is shown, nothing is open that was not, and nothing is refuted.
+bool is_shown(Compilation& c, const verify::Report& report, const std::string& decision) {
+  const auto built = build_anew(*c.spec, c.sources);
   if (!built) return false;
   const verify::Report anew =
-      verify::verify(spec, &built->module, built->tables, built->diagnostics.all(), check_model);
+      verify::verify(*c.spec, &built->module, built->tables, built->diagnostics.all(), check_model);
   Open before = open_of(report);
   before.erase({decision, verify::Kind::switching, "", ""});
   return verify::worst(anew) != Status::refuted && std::ranges::includes(before, open_of(anew));
 }
+bool works(Compilation& c, const verify::Report& report, const std::string& decision,
+           sema::Monitor& monitor, const LaterReturn& later) {
+  if (monitor.return_when) return false;
+  const Changed waits(monitor.return_when, condition_of(*c.spec, later, monitor.always_range));
+  return is_shown(c, report, decision);
+}
+bool works(Compilation& c, const verify::Report& report, const std::string& decision,
+           sema::Monitor& monitor, const SameRecovery& same) {
+  const auto& controllers = c.spec->controllers;
+  const auto found = std::ranges::find(controllers, same.recovery, &sema::Controller::name);
+  if (found == controllers.end()) return false;
+  const auto id = static_cast<sema::ControllerId>(found - controllers.begin());
+  const Changed follows(monitor.recover, std::optional(id));
+  return is_shown(c, report, decision);
+}
+// In words, if it works; else "".
+std::string tried(Compilation& c, const verify::Report& report, const std::string& decision,
+                  const EndOfTurns& end) {
+  return std::visit(
+      [&](const auto& change) -> std::string {
+        auto& monitors = c.spec->monitors;
+        const auto monitor = std::ranges::find(monitors, change.monitor, &sema::Monitor::name);
+        const bool mends =
+            monitor != monitors.end() && works(c, report, decision, *monitor, change);
+        return mends ? text_of(*monitor, change) : "";
+      },
+      end);
+}
 
 }  // namespace
 
-void offer_later_return(Compilation& c, verify::Report& report) {
+void offer_end_of_turns(Compilation& c, verify::Report& report) {
   if (geometry::looks() - c.looks_before > looks_most) return;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
-      if (o.status != Status::unknown) continue;
-      const std::size_t count = std::min(o.later.size(), tries_most);
+      const std::size_t count = std::min(o.ends.size(), tries_most);
       for (std::size_t k = 0; k < count; ++k) {
-        const LaterReturn& later = o.later[k];
-        if (!works(c, report, d.name, later)) continue;
-        const auto monitor =
-            std::ranges::find(c.spec->monitors, later.monitor, &sema::Monitor::name);
-        o.repair = text_of(*monitor, later);
+        std::string works = tried(c, report, d.name, o.ends[k]);
+        if (works.empty()) continue;
+        o.repair = std::move(works);
         break;
       }
     }
