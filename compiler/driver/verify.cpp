@@ -8,7 +8,7 @@
 #include "compiler/driver/certificates.h"
 #include "compiler/driver/conservatism.h"
 #include "compiler/driver/driver.h"
-#include "compiler/driver/end_of_turns.h"
+#include "compiler/driver/mends.h"
 #include "compiler/driver/model_checker.h"
 #include "compiler/driver/show.h"
 #include "compiler/driver/sim.h"
@@ -81,7 +81,7 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
     }
   }
   leave_open(report);
-  if (c.module) offer_end_of_turns(c, report);
+  if (c.module) offer_mends(c, report);
   worst = verify::worst(report);
   if (!options.output.empty() && report.complete) {
     std::string problem = write_certificates(c, report, options.output);

@@ -7,6 +7,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/common_place.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -127,7 +128,7 @@ class AsksBack {
 
 }  // namespace
 
-JointNeeds joint_needs_of(const Subject& s) {
+JointNeeds joint_needs_of(const Subject& s, std::optional<std::size_t> at_once) {
   JointNeeds all;
   const auto& params = s.decision.facts.params;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
@@ -139,7 +140,7 @@ JointNeeds joint_needs_of(const Subject& s) {
         add(all.zones, {zone, back_mm + analysis::fence_standoff_mm(m.property, params, zone)});
       }
     }
-    if (!m.return_when) continue;
+    if (!m.return_when || k == at_once) continue;
     const AsksBack::Part part = AsksBack(s, k).run();
     for (const Need& need : part.zones) add(all.returned, need);
     all.low_mm = std::max(all.low_mm, part.low_mm);
@@ -174,6 +175,32 @@ std::vector<Sides> ways_to_choose(
         }
       }
       all = std::move(more);
+    }
+  }
+  return all;
+}
+
+std::vector<Mend> earlier_returns(const Subject& s) {
+  std::vector<Mend> all;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const ir::Monitor& m = s.decision.monitors[k];
+    if (!m.return_when) continue;
+    const std::vector<Need> others = all_of(joint_needs_of(s, k)), own = AsksBack(s, k).run().zones;
+    for (const Need& need : own) {
+      std::vector<Need> with = others;
+      for (const Need& other : own) {
+        if (other.zone != need.zone) add(with, other);
+      }
+      // at most so clear: `high_mm` is not found, `low_mm` is
+      std::int64_t low_mm = -1, high_mm = need.clearance_mm;
+      while (high_mm - low_mm > 1) {
+        const std::int64_t middle_mm = low_mm < 0 ? 0 : (low_mm + high_mm) / 2;
+        std::vector<Need> asked = with;
+        add(asked, {need.zone, middle_mm});
+        (common_place(s, asked) ? low_mm : high_mm) = middle_mm;
+      }
+      if (low_mm <= 0) continue;
+      all.emplace_back(EarlierReturn{m.name, s.module[need.zone].name, need.clearance_mm - low_mm});
     }
   }
   return all;

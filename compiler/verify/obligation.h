@@ -69,7 +69,13 @@ struct LaterReturn {
 struct SameRecovery {
   std::string monitor, recovery;
 };
-using EndOfTurns = std::variant<LaterReturn, SameRecovery>;
+// That the `return when` of a monitor asks for so much less clearance from a zone, by its name.
+struct EarlierReturn {
+  std::string monitor, zone;
+  std::int64_t less_mm = 0;
+};
+// What may be written in another way.
+using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn>;
 
 struct Obligation {
   Kind kind{};
@@ -88,8 +94,8 @@ struct Obligation {
   // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
   // if not of a robot.
   bool in_turns = false;
-  // Which of these may mend that; nothing is claimed of them.
-  std::vector<EndOfTurns> ends{};
+  // Which of these may mend what is open; nothing is claimed of them.
+  std::vector<Mend> mends{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
   bool declared = false;
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that

@@ -462,6 +462,7 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     if (const auto at = any_place(s, all)) o.place_mm = {in_mm(at->x), in_mm(at->y)};
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
     o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` work";
+    if (s.is_read) o.mends = earlier_returns(s);
   } else {
     o.status = Status::unknown;
     o.because = "a place where all monitors give control back was not found among the cells";

@@ -105,7 +105,11 @@ struct JointNeeds {
   bool one_of_several = false;    // of an `or` in a `return when` one side, for which others may do
   std::vector<std::string> open;  // monitors whose `return when` asks for something else besides
 };
-JointNeeds joint_needs_of(const Subject& s);
+// `at_once`: a monitor that gives back without its `return when`.
+JointNeeds joint_needs_of(const Subject& s, std::optional<std::size_t> at_once = {});
+// Of each `return when` that leaves no such place, in the plane: how clear of its zone it may ask
+// for one with which there is one.
+std::vector<Mend> earlier_returns(const Subject& s);
 // Of each `or` of zones one side, in all ways, at most 64 of them; `ask` tells how clear of its
 // zone a side that asks for so many mm has to be. One way without a side: there is no such `or`.
 using Sides = std::vector<Need>;

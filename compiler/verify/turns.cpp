@@ -368,12 +368,12 @@ namespace {
 // Of each monitor that gives control back before that is where its recovery leads, and where
 // another one may not: that it waits for the zones which that one asks for. Of those that have a
 // name.
-std::vector<EndOfTurns> later_returns(const Subject& s, const protocol::Arbitration& known) {
+std::vector<Mend> later_returns(const Subject& s, const protocol::Arbitration& known) {
   const auto& monitors = s.decision.monitors;
   const auto is_declared = [&](const std::string& name) {
     return std::ranges::any_of(s.spec.zones, [&](const sema::Zone& z) { return z.name == name; });
   };
-  std::vector<EndOfTurns> all;
+  std::vector<Mend> all;
   for (std::size_t i = 0; i < monitors.size(); ++i) {
     if (monitors[i].return_when) continue;
     LaterReturn later{monitors[i].name, {}};
@@ -398,11 +398,11 @@ std::vector<EndOfTurns> later_returns(const Subject& s, const protocol::Arbitrat
   return all;
 }
 // Of monitors whose recoveries take turns, "`back`, `down`": that one of them has that of another.
-std::vector<EndOfTurns> same_recoveries(const ir::Decision& d, const std::string& in_turns) {
+std::vector<Mend> same_recoveries(const ir::Decision& d, const std::string& in_turns) {
   const auto takes_turns = [&](const ir::Monitor& m) {
     return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
   };
-  std::vector<EndOfTurns> all;
+  std::vector<Mend> all;
   for (const ir::Monitor& one : d.monitors) {
     std::set<std::string> tried{one.recovery.name};
     for (const ir::Monitor& other : d.monitors) {
@@ -467,8 +467,8 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   if (const auto* broken = first(answers, protocol::Answer::Kind::broken)) {
     Obligation open = unknown(std::move(o), s, *broken);
     if (open.in_turns) {
-      open.ends = later_returns(s, known);
-      std::ranges::move(same_recoveries(s.decision, broken->why), std::back_inserter(open.ends));
+      open.mends = later_returns(s, known);
+      std::ranges::move(same_recoveries(s.decision, broken->why), std::back_inserter(open.mends));
     }
     return open;
   }

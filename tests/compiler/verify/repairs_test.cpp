@@ -171,6 +171,54 @@ decision fly for Quad { advanced go; period 50 ms; priority )" +
   EXPECT_EQ(repair_of(higher, "C", "roof").find("a recovery within a zone that is `"), 0U);
 }
 
+// Two overlapping zones of a cart.
+std::string overlapping(const std::string& back, const std::string& rest) {
+  return R"(spec overlapping;
+zone hall = rectangle (0 m, 0 m) to (24 m, 14 m);
+zone lane = rectangle (2 m, 1 m) to (22 m, 5 m);
+robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  output  push : acceleration;
+  latency 30 ms;
+}
+fleet c : Cart;
+controller go   : advanced for Cart extern;
+controller back : safe for Cart = retreat within )" +
+         back + R"( speed 0.3 m/s;
+controller in_lane : safe for Cart = retreat within lane speed 0.3 m/s;
+)" + rest;
+}
+TEST_F(Repaired, TurnsEndWithTheRecoveryOfAnotherMonitor) {
+  const auto page = [](const std::string& recovery) {
+    return overlapping("hall", R"(
+monitor walls for r : Cart { "R1" always r inside hall; recover )" +
+                                   recovery + R"(; return when clearance(r, hall) >= 1.5 m; }
+monitor keep  for r : Cart { "R2" always r inside lane; recover in_lane; }
+decision drive for Cart { advanced go; period 100 ms; priority keep > walls; }
+)");
+  };
+  EXPECT_EQ(repair_of(page("back"), "switching", ""), "`recover in_lane;` in `walls` works");
+  EXPECT_EQ(verified(page("in_lane"), {}).status, exit_clean);
+}
+TEST_F(Repaired, AReturnAsksForSoMuchClearanceThatThereIsAPlaceForAll) {
+  const auto page = [](const std::string& clearance) {
+    return overlapping("hall", R"(
+monitor walls for r : Cart { "R1" always r inside hall; recover back; return when clearance(r, hall) >= )" +
+                                   clearance + R"( mm; }
+monitor keep  for r : Cart { "R2" always r inside lane; recover in_lane; }
+decision drive for Cart { advanced go; period 100 ms; priority keep > walls; }
+)");
+  };
+  const double most =
+      number_after(repair_of(page("6000"), "joint return", ""), "`clearance(r, hall) >= ");
+  EXPECT_GT(most, 3);
+  EXPECT_TRUE(proved(page(std::to_string(std::lround(1000 * most))), "joint return", ""));
+  EXPECT_FALSE(proved(page(std::to_string(std::lround(1050 * most))), "joint return", ""));
+}
+
 // An order that works is in the report; one that only breaks another pair is nowhere.
 TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
   const auto high = [](const std::string& order) {

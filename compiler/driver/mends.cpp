@@ -1,4 +1,4 @@
-#include "compiler/driver/end_of_turns.h"
+#include "compiler/driver/mends.h"
 
 #include <algorithm>
 #include <memory>
@@ -17,8 +17,9 @@
 namespace rtac::driver {
 namespace {
 
-using verify::EndOfTurns;
+using verify::EarlierReturn;
 using verify::LaterReturn;
+using verify::Mend;
 using verify::Obligation;
 using verify::SameRecovery;
 using verify::Status;
@@ -49,12 +50,38 @@ sema::ExprPtr condition_of(const sema::Spec& spec, const LaterReturn& later,
   return std::make_unique<sema::Expr>(sema::Expr{at, true, {}, std::move(all)});
 }
 
+// The number that the `return when` of a monitor compares the clearance from a zone with, as one of
+// all that have to hold; null: there is none.
+sema::Constant* clearance_asked(const sema::Spec& spec, sema::Monitor& monitor,
+                                const std::string& zone) {
+  const auto in = [&](sema::Expr& e, const auto& self) -> sema::Constant* {
+    if (auto* const all = std::get_if<sema::Logic>(&e.node)) {
+      if (all->op != sema::LogicOp::logical_and) return nullptr;
+      for (const sema::ExprPtr& each : all->operands) {
+        if (sema::Constant* const found = self(*each, self)) return found;
+      }
+      return nullptr;
+    }
+    auto* const compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr) return nullptr;
+    const auto* const gap = std::get_if<sema::Clearance>(&compare->left->node);
+    const bool of_it = gap != nullptr && spec[gap->zone].name == zone;
+    const bool least =
+        compare->op == sema::CompareOp::greater_equal || compare->op == sema::CompareOp::greater;
+    return of_it && least ? std::get_if<sema::Constant>(&compare->right->node) : nullptr;
+  };
+  return monitor.return_when ? in(*monitor.return_when, in) : nullptr;
+}
+Rational less(const sema::Constant& asked, const EarlierReturn& earlier) {
+  return asked.value - analysis::metres_of(earlier.less_mm);
+}
+
 // "`recover back;` in `quiet` works"
-std::string text_of(const sema::Monitor& monitor, const SameRecovery& same) {
+std::string text_of(const sema::Spec&, const sema::Monitor& monitor, const SameRecovery& same) {
   return "`recover " + same.recovery + ";` in `" + monitor.name + "` works";
 }
 // "`return when clearance(r, hall) >= 0.89 m;` in `quiet` works"
-std::string text_of(const sema::Monitor& monitor, const LaterReturn& later) {
+std::string text_of(const sema::Spec&, const sema::Monitor& monitor, const LaterReturn& later) {
   std::string text;
   for (const auto& [zone, mm] : later.clearances_mm) {
     text += (text.empty() ? "" : " and ") + std::string("clearance(") + monitor.robot + ", " +
@@ -62,14 +89,23 @@ std::string text_of(const sema::Monitor& monitor, const LaterReturn& later) {
   }
   return "`return when " + text + ";` in `" + monitor.name + "` works";
 }
+// "`clearance(r, hall) >= 1.2 m` in the `return when` of `quiet` works"
+std::string text_of(const sema::Spec& spec, sema::Monitor& monitor, const EarlierReturn& earlier) {
+  const sema::Constant* const asked = clearance_asked(spec, monitor, earlier.zone);
+  return "`clearance(" + monitor.robot + ", " + earlier.zone +
+         ") >= " + metres(less(*asked, earlier)) + "` in the `return when` of `" + monitor.name +
+         "` works";
+}
 
-// Of what is not proved or accepted: the decision, the kind, the monitor and the recovery.
+// Of what is not proved or accepted, or of that what is refuted: the decision, the kind, the
+// monitor and the recovery.
 using Open = std::set<std::tuple<std::string, verify::Kind, std::string, std::string>>;
-Open open_of(const verify::Report& report) {
+Open open_of(const verify::Report& report, bool refuted) {
   Open open;
   for (const verify::Decision& d : report.decisions) {
     for (const Obligation& o : d.obligations) {
       if (o.status == Status::proved || o.status == Status::acknowledged) continue;
+      if (refuted && o.status != Status::refuted) continue;
       open.insert({d.name, o.kind, o.monitor, o.recovery});
     }
   }
@@ -92,54 +128,69 @@ class Changed {
   T other_;
 };
 
-// That switching is shown, nothing is open that was not, and nothing is refuted.
-bool is_shown(Compilation& c, const verify::Report& report, const std::string& decision) {
+// Where something is open that shall be shown.
+struct Place {
+  const std::string& decision;
+  const Obligation& open;
+};
+
+// That it is shown, and nothing is open, or refuted, that was not.
+bool is_shown(Compilation& c, const verify::Report& report, const Place& place) {
   const auto built = build_anew(*c.spec, c.sources);
   if (!built) return false;
   const verify::Report anew =
       verify::verify(*c.spec, &built->module, built->tables, built->diagnostics.all(), check_model);
-  Open before = open_of(report);
-  before.erase({decision, verify::Kind::switching, "", ""});
-  return verify::worst(anew) != Status::refuted && std::ranges::includes(before, open_of(anew));
+  const Obligation& open = place.open;
+  Open before = open_of(report, false);
+  before.erase({place.decision, open.kind, open.monitor, open.recovery});
+  return std::ranges::includes(before, open_of(anew, false)) &&
+         std::ranges::includes(open_of(report, true), open_of(anew, true));
 }
-bool works(Compilation& c, const verify::Report& report, const std::string& decision,
-           sema::Monitor& monitor, const LaterReturn& later) {
+bool works(Compilation& c, const verify::Report& report, const Place& place, sema::Monitor& monitor,
+           const LaterReturn& later) {
   if (monitor.return_when) return false;
   const Changed waits(monitor.return_when, condition_of(*c.spec, later, monitor.always_range));
-  return is_shown(c, report, decision);
+  return is_shown(c, report, place);
 }
-bool works(Compilation& c, const verify::Report& report, const std::string& decision,
-           sema::Monitor& monitor, const SameRecovery& same) {
+bool works(Compilation& c, const verify::Report& report, const Place& place, sema::Monitor& monitor,
+           const SameRecovery& same) {
   const auto& controllers = c.spec->controllers;
   const auto found = std::ranges::find(controllers, same.recovery, &sema::Controller::name);
   if (found == controllers.end()) return false;
   const auto id = static_cast<sema::ControllerId>(found - controllers.begin());
   const Changed follows(monitor.recover, std::optional(id));
-  return is_shown(c, report, decision);
+  return is_shown(c, report, place);
+}
+bool works(Compilation& c, const verify::Report& report, const Place& place, sema::Monitor& monitor,
+           const EarlierReturn& earlier) {
+  sema::Constant* const asked = clearance_asked(*c.spec, monitor, earlier.zone);
+  if (asked == nullptr) return false;
+  const Changed sooner(asked->value, less(*asked, earlier));
+  return is_shown(c, report, place);
 }
 // In words, if it works; else "".
-std::string tried(Compilation& c, const verify::Report& report, const std::string& decision,
-                  const EndOfTurns& end) {
+std::string tried(Compilation& c, const verify::Report& report, const Place& place,
+                  const Mend& mend) {
   return std::visit(
       [&](const auto& change) -> std::string {
         auto& monitors = c.spec->monitors;
         const auto monitor = std::ranges::find(monitors, change.monitor, &sema::Monitor::name);
-        const bool mends =
-            monitor != monitors.end() && works(c, report, decision, *monitor, change);
-        return mends ? text_of(*monitor, change) : "";
+        const bool mends = monitor != monitors.end() && works(c, report, place, *monitor, change);
+        return mends ? text_of(*c.spec, *monitor, change) : "";
       },
-      end);
+      mend);
 }
 
 }  // namespace
 
-void offer_end_of_turns(Compilation& c, verify::Report& report) {
+void offer_mends(Compilation& c, verify::Report& report) {
   if (geometry::looks() - c.looks_before > looks_most) return;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
-      const std::size_t count = std::min(o.ends.size(), tries_most);
+      if (o.status == Status::proved || o.status == Status::acknowledged) continue;
+      const std::size_t count = std::min(o.mends.size(), tries_most);
       for (std::size_t k = 0; k < count; ++k) {
-        std::string works = tried(c, report, d.name, o.ends[k]);
+        std::string works = tried(c, report, {d.name, o}, o.mends[k]);
         if (works.empty()) continue;
         o.repair = std::move(works);
         break;
