@@ -139,6 +139,18 @@ Stranded at_cell(const Grid& grid, const ir::Cells& cells, std::size_t at) {
           1};
 }
 
+// Of several cells that of them which is nearest to their middle: of a passage half-way through it.
+std::size_t in_the_middle(const std::vector<std::size_t>& all, std::size_t columns) {
+  double x = 0, y = 0;
+  for (const std::size_t at : all) {
+    x += double(at % columns) / double(all.size());
+    y += double(at / columns) / double(all.size());
+  }
+  return *std::ranges::min_element(all, {}, [&](std::size_t at) {
+    return std::hypot(double(at % columns) - x, double(at / columns) - y);
+  });
+}
+
 // The connected parts of the cells for which `inside` holds.
 std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
                                const std::vector<bool>& inside) {
@@ -146,18 +158,16 @@ std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
   std::vector<bool> seen(grid.count(), false);
   for (std::size_t first = 0; first < grid.count(); ++first) {
     if (!inside[first] || seen[first]) continue;
-    Stranded part;
-    part.clearance_mm = -1;
-    std::vector<std::size_t> open = {first};
+    std::int64_t count = 0;
+    std::vector<std::size_t> widest, open = {first};
     seen[first] = true;
     while (!open.empty()) {
       const std::size_t at = open.back();
       open.pop_back();
-      ++part.cells;
-      if (grid.clearance(at) > part.clearance_mm) {
-        const std::int64_t so_far = part.cells;
-        part = at_cell(grid, cells, at);
-        part.cells = so_far;
+      ++count;
+      if (!widest.empty() && grid.clearance(at) > grid.clearance(widest.front())) widest.clear();
+      if (widest.empty() || grid.clearance(at) == grid.clearance(widest.front())) {
+        widest.push_back(at);
       }
       grid.beside(at, [&](std::size_t other) {
         if (!inside[other] || seen[other]) return;
@@ -165,7 +175,10 @@ std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
         open.push_back(other);
       });
     }
-    all.push_back(part);
+    std::ranges::sort(widest);
+    const auto columns = static_cast<std::size_t>(cells.columns);
+    all.push_back(at_cell(grid, cells, in_the_middle(widest, columns)));
+    all.back().cells = count;
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Stranded& a, const Stranded& b) { return a.cells > b.cells; });
