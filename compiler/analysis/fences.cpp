@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/paces.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/operands.h"
 
 namespace rtac::analysis {
 namespace {
@@ -67,6 +68,50 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
       choices.push_back(std::move(choice));
     }
   }
+}
+
+// What each value of a property speaks of.
+struct Spoken {
+  bool inputs = false, places = false;
+};
+std::vector<Spoken> spoken_of(const ir::Block& block) {
+  std::vector<Spoken> all;
+  for (const ir::Value& value : block.values) {
+    const ir::Op& op = value.op;
+    Spoken own;
+    if (const auto* fact = std::get_if<ir::Fact>(&op)) {
+      own.inputs = !fact->of_robot;
+      own.places = fact->of_robot;
+    }
+    own.inputs = own.inputs || std::holds_alternative<ir::InputTruth>(op) ||
+                 std::holds_alternative<ir::InputIs>(op);
+    own.places = own.places || std::holds_alternative<ir::Clearance>(op) ||
+                 std::holds_alternative<ir::Distance>(op) ||
+                 std::holds_alternative<ir::ForOthers>(op) ||
+                 std::holds_alternative<ir::CountOthers>(op) ||
+                 std::holds_alternative<ir::ReceivedClearance>(op);
+    if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
+      const Spoken of = spoken_of(*others->body)[static_cast<std::size_t>(others->body->result)];
+      own.inputs = own.inputs || of.inputs;
+    }
+    ir::for_each_operand(op, [&](const ir::ValueId id) {
+      const Spoken& of = all[static_cast<std::size_t>(id)];
+      own.inputs = own.inputs || of.inputs;
+      own.places = own.places || of.places;
+    });
+    all.push_back(own);
+  }
+  return all;
+}
+bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
+             const std::vector<Spoken>& spoken) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    return settled(block, v->a, params, spoken) && settled(block, v->b, params, spoken);
+  }
+  const Spoken& of = spoken[static_cast<std::size_t>(id)];
+  if (!of.inputs || !of.places) return true;
+  Choice choice;
+  return branches(block, id, params, choice);
 }
 
 // Whether a side of an `or` counts while inputs say so, and not otherwise.
@@ -163,6 +208,10 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
   std::vector<ir::ZoneIndex> zones;
   collect(property, property.result, params, zones);
   return zones;
+}
+
+bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params) {
+  return settled(property, property.result, params, spoken_of(property));
 }
 
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params) {

@@ -18,6 +18,9 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 // wherever the property holds, or what it has no part in does.
 using Choice = std::vector<ir::ZoneIndex>;
 std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
+// Whether inputs stand beside places in nothing but such an `or`: where one of its zones holds the
+// robot it is true, whatever inputs are.
+bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params);
 
 // What a robot surely has wherever the property holds, whatever its parameters become: of each
 // entry it is in at least one of the zones, body and all, and so far from its boundary.

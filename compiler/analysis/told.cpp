@@ -260,7 +260,11 @@ class Search {
   }
 
   Told run() {
-    if (variables_.empty()) return {};
+    if (variables_.empty()) {
+      const Box none;
+      const bool is = truth(Reader(spec_, none, none, true)) == from(value_);
+      return {is ? CanBeTold::yes : CanBeTold::open, {}};
+    }
     for (const auto& [name, variable] : variables_) {
       ever_[name] = {Rational(variable.span.lo - variable.error),
                      Rational(variable.span.hi + variable.error)};
@@ -477,6 +481,33 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
     }
   }
   return all;
+}
+
+std::set<sema::InputId> beside_places(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<sema::InputId> all;
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto* const logic = std::get_if<sema::Logic>(&part.node);
+    const bool either = logic != nullptr && logic->op != sema::LogicOp::logical_and &&
+                        logic->op != sema::LogicOp::logical_not;
+    // of an `and`, one side is not so if another one is not
+    const bool denied = logic != nullptr && logic->op == sema::LogicOp::logical_not &&
+                        std::holds_alternative<sema::Logic>(logic->operands[0]->node);
+    if ((either || denied) && sema::speaks_of_robot(part)) all.merge(inputs_in(spec, part));
+  });
+  return all;
+}
+bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+                  sema::InputId input) {
+  int times = 0;
+  for (const sema::Expr* each : all) {
+    sema::for_each_expr(*each, [&](const sema::Expr& part) {
+      const bool leaf = !std::holds_alternative<sema::Logic>(part.node);
+      bool has_operands = false;
+      sema::for_each_operand(part, [&](const auto&) { has_operands = true; });
+      if (leaf && !has_operands) times += inputs_in(spec, part).contains(input) ? 1 : 0;
+    });
+  }
+  return times <= 1;
 }
 
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {

@@ -35,6 +35,11 @@ Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
                   const std::vector<const sema::Expr*>& whatever_is_sensed = {});
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
+// The inputs that an `or` speaks of beside what robots sense: either may make it true.
+std::set<sema::InputId> beside_places(const sema::Spec& spec, const sema::Expr& e);
+// Whether all of these together speak of it once at most.
+bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+                  sema::InputId input);
 // Whether two of these speak of one input.
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 

@@ -66,8 +66,7 @@ sema::Constant* clearance_asked(const sema::Spec& spec, sema::Monitor& monitor,
     if (compare == nullptr) return nullptr;
     const auto* const gap = std::get_if<sema::Clearance>(&compare->left->node);
     const bool of_it = gap != nullptr && spec[gap->zone].name == zone;
-    const bool least =
-        compare->op == sema::CompareOp::greater_equal || compare->op == sema::CompareOp::greater;
+    const bool least = compare->op == sema::CompareOp::greater_equal;
     return of_it && least ? std::get_if<sema::Constant>(&compare->right->node) : nullptr;
   };
   return monitor.return_when ? in(*monitor.return_when, in) : nullptr;
@@ -164,7 +163,7 @@ bool works(Compilation& c, const verify::Report& report, const Place& place, sem
 bool works(Compilation& c, const verify::Report& report, const Place& place, sema::Monitor& monitor,
            const EarlierReturn& earlier) {
   sema::Constant* const asked = clearance_asked(*c.spec, monitor, earlier.zone);
-  if (asked == nullptr) return false;
+  if (asked == nullptr || less(*asked, earlier) < 0) return false;
   const Changed sooner(asked->value, less(*asked, earlier));
   return is_shown(c, report, place);
 }
@@ -184,12 +183,12 @@ std::string tried(Compilation& c, const verify::Report& report, const Place& pla
 }  // namespace
 
 void offer_mends(Compilation& c, verify::Report& report) {
-  if (geometry::looks() - c.looks_before > looks_most) return;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       if (o.status == Status::proved || o.status == Status::acknowledged) continue;
       const std::size_t count = std::min(o.mends.size(), tries_most);
       for (std::size_t k = 0; k < count; ++k) {
+        if (geometry::looks() - c.looks_before > looks_most) return;
         std::string works = tried(c, report, {d.name, o}, o.mends[k]);
         if (works.empty()) continue;
         o.repair = std::move(works);

@@ -325,18 +325,43 @@ class Check {
                     const Claim* told, const std::set<std::string>& zones) {
     one_side_each(d, e, m, zones);
     const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
-    if (told == nullptr || !inputs) return;
-    const auto lacks = [&](const sema::Expr& part) {
+    if (!inputs) return;  // the claim is wrong
+    const auto may_be = [&](const sema::Expr& part, bool value) {
+      if (!spoken_of(spec_, part).empty()) return told == nullptr;
       const auto asked = all_zones(part);
-      return !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
+      const bool missed = !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
         return zones.contains(claims_.zones().name(zone));
       });
+      return !value && (missed || judges_robots(spec_, d, part));
     };
-    if (told_makes_true_but(spec_, *m.always, *inputs, lacks)) return;
-    fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
+    for_each_part(*m.always, [&](const sema::Expr& part) {
+      const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
+      if (spoken_of(spec_, part).empty() || !of_places) return;
+      if (told_makes_true_but(spec_, part, *inputs, may_be)) return;
+      fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
+    });
+  }
+  // Each part of an `and`.
+  template <class Visit>
+  static void for_each_part(const sema::Expr& e, const Visit& visit) {
+    const auto* const logic = std::get_if<sema::Logic>(&e.node);
+    if (logic == nullptr || logic->op != sema::LogicOp::logical_and) return visit(e);
+    for (const sema::ExprPtr& each : logic->operands) for_each_part(*each, visit);
+  }
+  // Of all monitors, or of one of them.
+  void not_torn(const sema::Decision& d, const Entry& e, const std::string& only) {
+    const auto said = said_by(spec_, d, only);
+    for (const sema::MonitorId id : d.priority) {
+      const sema::Monitor& m = spec_[id];
+      if (!m.return_when || (!only.empty() && m.name != only)) continue;
+      if (!is_torn(spec_, *m.return_when, said)) continue;
+      fail(whom(d, e) + ": `return when` of `" + m.name +
+           "` may ask for inputs and places that are not at once");
+    }
   }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
+    not_torn(d, e, "");
     const Claim* const told = told_at_once(d, e);
     // which ask for no place then
     const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
@@ -609,6 +634,7 @@ class Check {
            !std::holds_alternative<sema::Yield>(steps.back());
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    not_torn(d, e, m.name);
     if (asks_at_once(spec_, said_by(spec_, d, m.name))) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }

@@ -17,15 +17,14 @@ using Known = std::optional<Bounds>;
 
 class Reader {
  public:
-  // `anyhow`: what no input decides may be anything, and else is as it suits, but what `lacks`
-  // names may be false.
+  // `anyhow`: what no input decides may be anything, and else is as it suits, but for `may_be`.
   Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false,
-         std::function<bool(const sema::Expr&)> lacks = {})
+         MayBe may_be = {})
       : spec_(spec),
         inputs_(inputs),
         with_errors_(with_errors),
         anyhow_(anyhow),
-        lacks_(std::move(lacks)) {}
+        may_be_(std::move(may_be)) {}
 
   // Whether it can be so in spite of what suits.
   [[nodiscard]] bool can_be(const sema::Expr& e, bool value, bool suits) const {
@@ -42,16 +41,16 @@ class Reader {
     if (const auto* v = std::get_if<sema::Past>(&e.node)) return can_be(*v->operand, value, suits);
     if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
       const Known at = measured(v->input, v->component);
-      return at ? (sgn(at->lo) != 0) == value : anyhow_;
+      return at ? (sgn(at->lo) != 0) == value : otherwise(e, value);
     }
     if (const auto* v = std::get_if<sema::IsValue>(&e.node)) {
       const Known at = measured(v->input, v->component);
-      return at ? (at->lo == static_cast<unsigned long>(v->value)) == value : anyhow_;
+      return at ? (at->lo == static_cast<unsigned long>(v->value)) == value : otherwise(e, value);
     }
     if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
       const Known a = measured(v->left.input, v->left.component);
       const Known b = measured(v->right.input, v->right.component);
-      return a && b ? (a->lo == b->lo) == value : anyhow_;
+      return a && b ? (a->lo == b->lo) == value : otherwise(e, value);
     }
     return otherwise(e, value);
   }
@@ -90,7 +89,7 @@ class Reader {
     return true;
   }
   [[nodiscard]] bool otherwise(const sema::Expr& e, bool value) const {
-    return anyhow_ || (!value && lacks_ && lacks_(e));
+    return anyhow_ || (may_be_ && may_be_(e, value));
   }
   [[nodiscard]] bool compare(const sema::Compare& v, const sema::Expr& e, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
@@ -206,7 +205,7 @@ class Reader {
   const sema::Spec& spec_;
   const ToldInputs& inputs_;
   bool with_errors_, anyhow_;
-  std::function<bool(const sema::Expr&)> lacks_;
+  MayBe may_be_;
 };
 
 bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
@@ -286,9 +285,31 @@ bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldIn
 }
 
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
-                         const ToldInputs& inputs,
-                         const std::function<bool(const sema::Expr&)>& lacks) {
-  return !Reader(spec, inputs, true, false, lacks).can_be(property, false, true);
+                         const ToldInputs& inputs, const MayBe& may_be) {
+  return !Reader(spec, inputs, true, false, may_be).can_be(property, false, true);
+}
+
+bool is_torn(const sema::Spec& spec, const sema::Expr& return_when,
+             const std::vector<const sema::Expr*>& all) {
+  std::set<sema::InputId> beside;
+  sema::for_each_expr(return_when, [&](const sema::Expr& part) {
+    const auto* const logic = std::get_if<sema::Logic>(&part.node);
+    // a `not` may turn an `and` within it into an `or`
+    if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return;
+    if (sema::speaks_of_robot(part)) beside.merge(spoken_of(spec, part));
+  });
+  const auto times = [&](sema::InputId input) {
+    int count = 0;
+    for (const sema::Expr* each : all) {
+      sema::for_each_expr(*each, [&](const sema::Expr& part) {
+        bool whole = false;
+        sema::for_each_operand(part, [&](const auto&) { whole = true; });
+        count += !whole && spoken_of(spec, part).contains(input) ? 1 : 0;
+      });
+    }
+    return count;
+  };
+  return std::ranges::any_of(beside, [&](sema::InputId input) { return times(input) > 1; });
 }
 
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,

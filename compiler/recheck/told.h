@@ -34,10 +34,15 @@ bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
 // and false where there are none.
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value);
-// Whether it is true while these are measured, and nothing else suits that `lacks` says may fail.
+// Whether it is true while these are measured, and what no input decides suits, but what is said
+// that it may be otherwise.
+using MayBe = std::function<bool(const sema::Expr&, bool value)>;
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
-                         const ToldInputs& inputs,
-                         const std::function<bool(const sema::Expr&)>& lacks);
+                         const ToldInputs& inputs, const MayBe& may_be);
+// Whether a `return when` speaks of an input on one side of an `or`, of what robots sense on
+// another, and so does anything else of that input: which side is so need not be the same then.
+bool is_torn(const sema::Spec& spec, const sema::Expr& return_when,
+             const std::vector<const sema::Expr*>& all);
 // Whether it is true then whatever else is sensed, as long as they stay so.
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs);
 

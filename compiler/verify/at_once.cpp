@@ -32,6 +32,25 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     if (m.return_when) said.push_back(m.return_when.get());
     names += (names.empty() ? "" : ", ") + quoted(m.name);
   }
+  // which side of an `or` a place has been found for, and which inputs, need not be the same
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    const sema::Monitor& m = s.monitor(k);
+    if ((only && k != *only) || !m.return_when) continue;
+    std::vector<const sema::Expr*> all = said;
+    all.insert(all.end(), alone.begin(), alone.end());
+    for (const sema::InputId input : analysis::beside_places(s.spec, *m.return_when)) {
+      if (analysis::is_said_once(s.spec, all, input)) continue;
+      o.status = Status::unknown;
+      o.method = "no proof";
+      o.because = "`return when` of " + quoted(m.name) + " asks for " + quoted(s.spec[input].name) +
+                  " on one side of an `or`, for something else on another, and that input is "
+                  "spoken of elsewhere, too";
+      o.repair = "a `return when` without that `or` works";
+      o.claims.clear();
+      o.place_mm = {};
+      return o;
+    }
+  }
   // else each can be so by itself
   if (alone.empty() && !analysis::share_inputs(s.spec, said)) return o;
   const analysis::Told told = analysis::told_at_once(s.spec, said, alone);

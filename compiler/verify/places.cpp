@@ -538,6 +538,13 @@ Obligation returned_as_they_say(const Subject& s) {
   for (std::size_t k = 0; k < monitors.size(); ++k) {
     if (s.looks_at_places(k)) looking.push_back(&monitors[k]);
   }
+  for (const ir::Monitor* const m : looking) {
+    if (analysis::places_settle(m->property, s.decision.facts.params)) continue;
+    o.method = "no proof";
+    o.because = "what " + quoted(m->name) +
+                " asks of places depends on inputs in a way that no place is found for";
+    return o;
+  }
   const std::vector<Sides> ways =
       ways_to_choose(s, looking, [&](const ir::Monitor& m, std::int64_t own_mm) {
         return analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own_mm;
@@ -593,7 +600,7 @@ std::vector<Monitors> sets_of(const Monitors& of) {
   }
   all.erase(all.begin());
   if (of.size() > few) all.push_back(of);
-  std::ranges::stable_sort(all, std::greater<>(), &Monitors::size);
+  std::ranges::stable_sort(all, std::greater<>(), [](const Monitors& set) { return set.size(); });
   return all;
 }
 
@@ -611,6 +618,7 @@ Obligation returns_together(const Subject& s) {
         without_place, [&](const Monitors& more) { return std::ranges::includes(more, told); });
     if (known) continue;
     Subject with = s;
+    with.is_read = false;
     with.told = std::move(told);
     Obligation each = returned_as_they_say(with);
     if (each.status == Status::refuted) {

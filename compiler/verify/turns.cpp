@@ -402,8 +402,16 @@ std::vector<Mend> same_recoveries(const ir::Decision& d, const std::string& in_t
   const auto takes_turns = [&](const ir::Monitor& m) {
     return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
   };
+  // what an `acknowledge` names has to stay a recovery of the decision
+  const auto has_to_stay = [&](const std::string& recovery) {
+    return std::ranges::find(d.acknowledgements, recovery, &ir::Acknowledgement::recovery) !=
+               d.acknowledgements.end() &&
+           std::ranges::count_if(
+               d.monitors, [&](const ir::Monitor& m) { return m.recovery.name == recovery; }) == 1;
+  };
   std::vector<Mend> all;
   for (const ir::Monitor& one : d.monitors) {
+    if (has_to_stay(one.recovery.name)) continue;
     std::set<std::string> tried{one.recovery.name};
     for (const ir::Monitor& other : d.monitors) {
       if (!takes_turns(one) || !takes_turns(other)) continue;

@@ -234,5 +234,42 @@ monitor storms for r : Cart { "R3" always storm implies r inside yard; recover t
   EXPECT_EQ(statuses(around.out, "joint return", ""), Statuses{"proved"}) << around.out;
 }
 
+// Two monitors of a robot in one of these zones, and a third one that is within the west.
+std::string in_the_west(const std::string& one, const std::string& two) {
+  std::string text = by_turns(
+      "monitor third for r : Cart { \"R3\" always r inside west; recover to_west; }\n", " > third");
+  text = edited(text, "night implies r inside east; recover to_east;", one);
+  text = edited(text, "not night implies r inside west; recover to_west;", two);
+  return edited(text, "; acknowledge to_east may break days \"day comes while it is in the east\"",
+                "");
+}
+TEST_F(AtOnce, WhatOneSideOfAnOrIsFoundForIsNotTrueByAnotherOne) {
+  for (const auto& [one, two] :
+       {// its condition by night or in the east, and by day alone the other one asks for no place
+        std::pair("r inside hall; recover to_hall; return when night or r inside east;",
+                  "not night or r inside yard; recover to_yard;"),
+        // no such age is ever read, nor is anything else said of inputs
+        std::pair("age(night) > 2 s or r inside yard; recover to_yard;",
+                  "r inside hall; recover to_hall;"),
+        // a place within a side
+        std::pair("not night or (r inside east and r inside hall); recover to_east;",
+                  "night or r inside yard; recover to_yard;")}) {
+    const Outcome o = judged(in_the_west(one, two));
+    ASSERT_EQ(statuses(o.out, "joint return", "").size(), 1U) << one << o.out << o.err;
+    EXPECT_NE(statuses(o.out, "joint return", ""), Statuses{"proved"}) << one << o.out;
+  }
+}
+// So far apart no two robots are in one zone.
+TEST_F(AtOnce, DistancesThatInputsAskForAreNotTakenForGranted) {
+  std::string text = in_the_west(
+      "not night or (forall q : Cart, q != r : distance(r, q) >= 100 m); recover to_hall;",
+      "night or r inside yard; recover to_yard;");
+  text = edited(text, "fleet c : Cart;", "fleet c : Cart[2];");
+  text = edited(text, "  output  push", "  hears   other robots max_age 100 ms;\n  output  push");
+  const Outcome o = judged(text);
+  ASSERT_EQ(statuses(o.out, "joint return", "").size(), 1U) << o.out << o.err;
+  EXPECT_NE(statuses(o.out, "joint return", ""), Statuses{"proved"}) << o.out;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
