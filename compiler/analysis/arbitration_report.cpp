@@ -184,7 +184,9 @@ class Report {
         const auto works = works_within(*trials_, fault_of(of.code, of.range), own, recovery,
                                         module_, each.from, each.parts);
         if (!works.value_or(false)) continue;
-        return each.help.empty() ? within_what_is(each.parts) : each.help + " works";
+        const std::string text =
+            each.help.empty() ? within_what_is(each.parts) : each.help + " works";
+        if (!text.empty()) return text;
       }
     }
     const Within all = in_all(breach);
