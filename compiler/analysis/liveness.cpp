@@ -1,6 +1,7 @@
 #include "compiler/analysis/liveness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <queue>
@@ -134,21 +135,25 @@ std::vector<bool> has_way(const Grid& grid, const std::vector<bool>& goals) {
 Stranded at_cell(const Grid& grid, const ir::Cells& cells, std::size_t at) {
   const auto columns = static_cast<std::size_t>(cells.columns);
   const std::int64_t half = cells.cell_mm / 2;
-  return {cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half,
-          cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half, grid.clearance(at),
-          1};
+  const std::int64_t x_mm = cells.origin_x_mm + std::int64_t(at % columns) * cells.cell_mm + half;
+  const std::int64_t y_mm = cells.origin_y_mm + std::int64_t(at / columns) * cells.cell_mm + half;
+  return {x_mm, y_mm, x_mm, y_mm, grid.clearance(at), 1};
 }
 
 // Of several cells that of them which is nearest to their middle: of a passage half-way through it.
 std::size_t in_the_middle(const std::vector<std::size_t>& all, std::size_t columns) {
+  const auto column = [&](std::size_t at) { return static_cast<double>(at % columns); };
+  const auto row = [&](std::size_t at) {
+    const std::size_t whole = at / columns;
+    return static_cast<double>(whole);
+  };
   double x = 0, y = 0;
   for (const std::size_t at : all) {
-    x += double(at % columns) / double(all.size());
-    y += double(at / columns) / double(all.size());
+    x += column(at) / static_cast<double>(all.size());
+    y += row(at) / static_cast<double>(all.size());
   }
-  return *std::ranges::min_element(all, {}, [&](std::size_t at) {
-    return std::hypot(double(at % columns) - x, double(at / columns) - y);
-  });
+  return *std::ranges::min_element(
+      all, {}, [&](std::size_t at) { return std::hypot(column(at) - x, row(at) - y); });
 }
 
 // The connected parts of the cells for which `inside` holds.
@@ -175,9 +180,11 @@ std::vector<Stranded> parts_of(const Grid& grid, const ir::Cells& cells,
         open.push_back(other);
       });
     }
-    std::ranges::sort(widest);
     const auto columns = static_cast<std::size_t>(cells.columns);
-    all.push_back(at_cell(grid, cells, in_the_middle(widest, columns)));
+    const Stranded middle = at_cell(grid, cells, in_the_middle(widest, columns));
+    all.push_back(at_cell(grid, cells, widest.front()));
+    all.back().middle_x_mm = middle.x_mm;
+    all.back().middle_y_mm = middle.y_mm;
     all.back().cells = count;
   }
   std::stable_sort(all.begin(), all.end(),

@@ -14,8 +14,9 @@ namespace rtac::analysis {
 
 // A part of a zone where the robot can be and from where no way leads to a goal.
 struct Stranded {
-  std::int64_t x_mm = 0, y_mm = 0;  // its widest cell
-  std::int64_t clearance_mm = 0;    // of all of that cell
+  std::int64_t x_mm = 0, y_mm = 0;                // its widest cell, the first one
+  std::int64_t middle_x_mm = 0, middle_y_mm = 0;  // the one among these that is in their middle
+  std::int64_t clearance_mm = 0;                  // of all of that cell
   std::int64_t cells = 0;
 };
 struct Ways {

@@ -146,7 +146,10 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     const bool fits = holds_body(s, last.zone, part);
     o.status = fits ? Status::refuted : Status::unknown;
     o.by_a_run = fits;
-    if (fits) o.place_mm = {part.x_mm, part.y_mm};
+    if (fits) {
+      o.place_mm = {part.x_mm, part.y_mm};
+      o.starts.push_back({{part.middle_x_mm, part.middle_y_mm}});
+    }
     o.because =
         "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +
         (shut.empty() ? " no way over its cells has been found to where control is given back"
