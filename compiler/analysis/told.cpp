@@ -501,10 +501,9 @@ bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
   int times = 0;
   for (const sema::Expr* each : all) {
     sema::for_each_expr(*each, [&](const sema::Expr& part) {
-      const bool leaf = !std::holds_alternative<sema::Logic>(part.node);
       bool has_operands = false;
       sema::for_each_operand(part, [&](const auto&) { has_operands = true; });
-      if (leaf && !has_operands) times += inputs_in(spec, part).contains(input) ? 1 : 0;
+      if (!has_operands && inputs_in(spec, part).contains(input)) ++times;
     });
   }
   return times <= 1;
