@@ -374,20 +374,29 @@ class Recoveries {
     if (is_route && module_[last.site].places.empty()) return;  // there is no robot (2031)
     if (is_boundless(module_[last.zone])) return boundless(last);
     const Ways ways = ways_of(module_, decision_, last);
-    // of what is only tried, all has to be looked at
-    const std::vector<Stranded> parts =
-        trials_ != nullptr ? shut_off(module_[last.zone].cells, last, ways) : ways.stranded;
-    // a few cells that no way leads from may be all that is seen of a passage that is too narrow;
-    // of what is offered none may be left, or P2b of it is not proved
-    const std::int64_t told = trials_ != nullptr ? stranded_cells_least : 1;
-    if (parts.empty() || parts.front().cells < told) return too_narrow(last);
+    // of what is only tried, and nobody reads, none may be left, or P2b of it is not proved
+    const std::vector<Stranded> shut = shut_off(module_[last.zone].cells, last, ways);
+    const bool is_read = trials_ != nullptr;
+    if (is_read && !shut.empty() && shut.front().cells >= stranded_cells_least) {
+      return no_way(last, shut, true);
+    }
+    // a few cells that no way leads from may be all that is seen of a passage that is too narrow
+    if ((is_read || ways.stranded.empty()) && too_narrow(last)) return;
+    if (!ways.stranded.empty()) no_way(last, ways.stranded, false);
+  }
+  // From these parts of its zone the recovery has none, or none has been found.
+  void no_way(const ir::Recovery& last, const std::vector<Stranded>& parts, bool is_shut) {
+    const bool is_read = trials_ != nullptr, is_route = last.kind == ir::RecoveryKind::route;
     const Stranded& part = parts.front();
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t cell_mm = zone.cells.cell_mm;
     diag::Diagnostic d = finding(
-        Code::no_way_back, "from " + place(part.x_mm, part.y_mm) + " in `" + zone.name + "`, `" +
-                               controller_.name + "` finds no way to " + aim_of(last, part));
-    d.label = "ends there once the robot is there";
+        Code::no_way_back,
+        "from " + place(part.x_mm, part.y_mm) + " in `" + zone.name + "`, " +
+            (is_shut ? "`" + controller_.name + "` finds no way to "
+                     : "no way of `" + controller_.name + "` over its cells has been found to ") +
+            aim_of(last, part));
+    d.label = is_shut ? "ends there once the robot is there" : "may end there";
     d.notes.push_back(
         {std::nullopt,
          "the clearance there is " + metres(part.clearance_mm) + ", control returns at " +
@@ -403,8 +412,11 @@ class Recoveries {
                                 const ir::Cells& cells) {
       return leads(ways_over(edges, cells, module_, decision_, last));
     };
-    d.help = grown(last, d, part.clearance_mm, over_cells, leads_back).value_or("widen it");
-    d.help += ", or join it to a wider part, or take it out of the zone";
+    const auto works = grown(last, d, part.clearance_mm, over_cells, leads_back);
+    // what has not been looked at, for want of time, and no width helps, may work as it is
+    if (is_read && !is_shut && !works) return;
+    d.help =
+        works.value_or("widen it") + ", or join it to a wider part, or take it out of the zone";
     // a site is reached wherever control returns
     if (!is_route) d.help += nearer(last.return_clearance_mm - part.clearance_mm, d);
     diagnostics_.report(std::move(d));
@@ -475,12 +487,12 @@ class Recoveries {
   }
 
   // The advanced controller never drives there: what is too narrow for control to be given back is
-  // too narrow for it to be kept.
-  void too_narrow(const ir::Recovery& last) {
+  // too narrow for it to be kept. Whether there is such a place.
+  bool too_narrow(const ir::Recovery& last) {
     const ir::ZoneTable& zone = module_[last.zone];
     const std::int64_t body_mm = decision_.body.radius_mm + standoff_mm(decision_, last);
     const auto parts = narrow_parts(zone.cells, body_mm, last.return_clearance_mm);
-    if (parts.empty() || parts.front().cells < stranded_cells_least) return;
+    if (parts.empty() || parts.front().cells < stranded_cells_least) return false;
     diag::Diagnostic d =
         finding(Code::corridor_too_narrow, "control is never given back near " +
                                                place(parts.front().x_mm, parts.front().y_mm) +
@@ -496,6 +508,7 @@ class Recoveries {
         grown(last, d, parts.front().clearance_mm, wide)
             .value_or("control returns " + metres(last.return_clearance_mm) + " from the boundary");
     diagnostics_.report(std::move(d));
+    return true;
   }
 
   [[nodiscard]] diag::Diagnostic finding(Code code, std::string message) const {

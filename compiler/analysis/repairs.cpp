@@ -144,7 +144,8 @@ class Search {
     for (const Found& each : tried) least = std::min(least, left_with(each));
     std::vector<std::string> texts;
     for (const Found& each : tried) {
-      if (left_with(each) == least) texts.push_back(each.text());
+      if (left_with(each) != least) continue;
+      texts.push_back(each.text() + trials_.leaves(dial_of(*each.number), each.steps, fault_));
     }
     return texts;
   }

@@ -146,23 +146,41 @@ bool Trials::mends(const Faults& found, const Goal& goal) {
 }
 
 // What is not shown of another monitor has another cause.
-std::ptrdiff_t Trials::open_at(const Faults& found, const Fault& fault) const {
+std::vector<std::string> Trials::open_at(const Faults& found, const Fault& fault) const {
   const auto is_at = [](const sema::Monitor& m, const Fault& each) {
     return each.file == m.range.file && each.begin >= m.range.begin && each.begin < m.range.end;
   };
   const auto of =
       std::ranges::find_if(spec_.monitors, [&](const sema::Monitor& m) { return is_at(m, fault); });
-  return std::ranges::count_if(found.all, [&](const Fault& each) {
+  std::vector<std::string> open;
+  for (const Fault& each : found.all) {
     const auto elsewhere = [&](const sema::Monitor& m) { return &m != &*of && is_at(m, each); };
-    return !each.open.empty() &&
-           (of == spec_.monitors.end() || std::ranges::none_of(spec_.monitors, elsewhere));
-  });
+    if (each.open.empty()) continue;
+    if (of != spec_.monitors.end() && std::ranges::any_of(spec_.monitors, elsewhere)) continue;
+    open.push_back(each.open);
+  }
+  return open;
+}
+
+const Faults* Trials::known_of(const std::string& dial, std::int64_t steps) const {
+  const auto at = known_.find({dial, steps});
+  return at != known_.end() && at->second ? &*at->second : nullptr;
 }
 
 std::ptrdiff_t Trials::left_with(const std::string& dial, std::int64_t steps) const {
-  const auto at = known_.find({dial, steps});
-  if (at == known_.end() || !at->second) return 0;
-  return std::ranges::count_if(at->second->all, [](const Fault& f) { return !f.open.empty(); });
+  const Faults* const found = known_of(dial, steps);
+  if (found == nullptr) return 0;
+  return std::ranges::count_if(found->all, [](const Fault& f) { return !f.open.empty(); });
+}
+
+std::string Trials::leaves(const std::string& dial, std::int64_t steps, const Fault& fault) const {
+  const Faults* const found = known_of(dial, steps);
+  if (found == nullptr) return "";
+  std::string names;
+  for (const std::string& each : open_at(*found, fault)) {
+    names += (names.empty() ? "" : ", ") + each.substr(0, each.find_last_not_of(' ') + 1);
+  }
+  return names.empty() ? "" : " (which leaves " + names + " open)";
 }
 
 bool Trials::shows_no_less(const Faults& found) {
@@ -183,7 +201,7 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   if (!best) return std::nullopt;
   // a report that is gone may have been about one place of several
   const auto found = known_.find({dial.name, *best});
-  const bool is_shown = found->second && open_at(*found->second, fault) == 0;
+  const bool is_shown = found->second && open_at(*found->second, fault).empty();
   return is_remark(fault.code) && !is_shown ? std::nullopt : best;
 }
 
@@ -194,7 +212,7 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
     return !goal.shown || (found.complete && no_more_open(found, than));
   };
   const auto left_by = [&](const Faults& found) {
-    return wrong(found) + (goal.shown ? open_at(found, goal.fault) : 0);
+    return wrong(found) + (goal.shown ? std::ssize(open_at(found, goal.fault)) : 0);
   };
   const Worth mends_it = [&](const Faults& found) {
     return goal.shown && mends(found, goal) && may_show();

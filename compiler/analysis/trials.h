@@ -81,6 +81,10 @@ class Trials {
                                       const std::optional<SourceRange>& all_of = {});
   // How much is not shown with a number that was found.
   [[nodiscard]] std::ptrdiff_t left_with(const std::string& dial, std::int64_t steps) const;
+  // " (which leaves P2b open)": what is not shown with it of the monitor that `fault` is about. "":
+  // all is, or nobody has asked.
+  [[nodiscard]] std::string leaves(const std::string& dial, std::int64_t steps,
+                                   const Fault& fault) const;
   // Whether all that is not shown there was not shown before either.
   bool shows_no_less(const Faults& found);
 
@@ -93,13 +97,16 @@ class Trials {
   };
   std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
   const Faults& as_written(bool shown);
+  // nullptr: not tried
+  [[nodiscard]] const Faults* known_of(const std::string& dial, std::int64_t steps) const;
   // nullptr: refused, or too many; or what is asked of it is not known
   const Faults* with(const Dial& dial, std::int64_t steps, const Goal& goal, const Worth& worth,
                      std::int64_t most_effort);
   // Whether it is not too much to ask what is shown.
   [[nodiscard]] bool may_show() const;
   bool mends(const Faults& found, const Goal& goal);
-  [[nodiscard]] std::ptrdiff_t open_at(const Faults& found, const Fault& fault) const;
+  // What is not shown of the monitor that a fault is about, or of none.
+  [[nodiscard]] std::vector<std::string> open_at(const Faults& found, const Fault& fault) const;
 
   sema::Spec& spec_;
   Run run_;

@@ -148,7 +148,8 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (by_mm && !closes_a_gap(exact, *by_mm)) {
-    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "` works";
+    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "` works" +
+           trials.leaves(dial.name, *by_mm, fault);
   }
   return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);
 }
@@ -191,7 +192,7 @@ std::optional<std::string> distance_that_works(Trials& trials, ir::ZoneIndex tab
       return std::string("`") + (shrinks ? "shrink" : "grow") + "` by at most " + metres(*mm) +
              " in its expression works";
     }
-    return "`" + is + "` in place of `" + was + "` works";
+    return "`" + is + "` in place of `" + was + "` works" + trials.leaves(dial.name, *mm, fault);
   }
   return std::nullopt;
 }

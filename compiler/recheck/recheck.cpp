@@ -19,6 +19,7 @@
 #include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
+#include "compiler/recheck/whatever_told.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -338,6 +339,7 @@ class Check {
       const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
       if (spoken_of(spec_, part).empty() || !of_places) return;
       if (told_makes_true_but(spec_, part, *inputs, may_be)) return;
+      if (true_whatever_told(spec_, part, may_be)) return;
       fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
     });
   }

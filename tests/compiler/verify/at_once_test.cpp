@@ -259,6 +259,32 @@ TEST_F(AtOnce, WhatOneSideOfAnOrIsFoundForIsNotTrueByAnotherOne) {
     EXPECT_NE(statuses(o.out, "joint return", ""), Statuses{"proved"}) << one << o.out;
   }
 }
+// Slow enough at rest, whatever inputs are, it asks for no place; only with some of them it does.
+TEST_F(AtOnce, WhoIsSlowEnoughAtRestWhateverInputsAreAsksForNoPlace) {
+  const auto page = [](const std::string& slow) {
+    return in_the_west("r inside yard or (" + slow + "); recover to_yard;",
+                       "r inside hall; recover to_hall;");
+  };
+  const auto together = [this]() -> Json& {
+    auto& all = report_["decisions"][0]["obligations"];
+    return *std::ranges::find_if(all,
+                                 [](const Json& o) { return o["obligation"] == "joint return"; });
+  };
+  const std::vector<std::string> written{"--attack", "1", "-o", "certificates"};
+  verified(page("if night then r.speed <= 0.6 m/s else r.speed <= 0.8 m/s"), written);
+  report_ = Json::parse(read("certificates/verification.json"));
+  const Json whatever_told = together();
+  EXPECT_EQ(whatever_told["status"], "proved") << whatever_told;
+  for (const char* const some :
+       {"night and r.speed <= 0.6 m/s", "if night then r.speed <= 0.6 m/s else r inside east"}) {
+    verified(page(some), written);
+    report_ = Json::parse(read("certificates/verification.json"));
+    EXPECT_NE(together()["status"], "proved") << some << together();
+    together() = whatever_told;
+    write("certificates/verification.json", report_.dump());
+    EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << some;
+  }
+}
 // So far apart no two robots are in one zone.
 TEST_F(AtOnce, DistancesThatInputsAskForAreNotTakenForGranted) {
   std::string text = in_the_west(

@@ -134,6 +134,57 @@ TEST_F(Repaired, ACorridorIsSoWideThatControlIsGivenBackAllAlong) {
   EXPECT_TRUE(narrow(0.95 * by)) << by;
 }
 
+// A passage that is wide enough, of which cells show too little: nothing is refuted, and there is a
+// number all the same.
+std::string round_a_gate(const std::string& hall, const std::string& velocity) {
+  return R"(spec gate;
+zone plan = rectangle (0 m, 0 m) to (12 m, 12 m) - rectangle (5 m, 0 m) to (7 m, 10.2 m);
+zone hall = )" +
+         hall + R"(;
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age )" +
+         velocity + R"( ms;
+  output  push : acceleration;
+  latency 30 ms;
+}
+fleet b : Bot;
+controller run  : advanced for Bot extern;
+controller back : safe for Bot = retreat within hall speed 0.3 m/s;
+monitor walls for r : Bot { "R1" always r inside hall; recover back; }
+decision drive for Bot { advanced run; period 100 ms; priority walls; }
+)";
+}
+TEST_F(Repaired, APassageOfWhichCellsShowTooLittleIsTold) {
+  const std::string repair = repair_of(round_a_gate("plan", "80"), "P2b", "walls");
+  const double by = number_after(repair, "`grow(hall, ");
+  const auto grown = [](double m) {
+    return round_a_gate("grow(plan, " + std::to_string(m) + " m)", "80");
+  };
+  EXPECT_TRUE(proved(grown(by), "P2b", "walls")) << by;
+  EXPECT_FALSE(proved(grown(0.95 * by), "P2b", "walls")) << by;
+  const double age = number_after(repair, "`max_age` of the velocity of at most ");
+  EXPECT_TRUE(proved(round_a_gate("plan", std::to_string(age)), "P2b", "walls")) << age;
+  EXPECT_FALSE(proved(round_a_gate("plan", std::to_string(1.05 * age)), "P2b", "walls")) << age;
+}
+// Numbers that mend an error, after which the same passage is too narrow.
+TEST_F(Repaired, ANumberThatLeavesSomethingOpenSaysSo) {
+  std::string slow = round_a_gate("plan", "200");
+  for (const auto& [was, is] : std::vector<std::pair<std::string, std::string>>{
+           {"radius 25 cm", "radius 35 cm"},
+           {"speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2",
+            "speed <= 1.5 m/s; accel <= 0.7 m/s^2; brake >= 0.7 m/s^2"},
+           {"error 2 cm max_age 80 ms", "error 5 cm max_age 200 ms"},
+           {"error 2 cm/s", "error 8 cm/s"},
+           {"latency 30 ms", "latency 100 ms"}}) {
+    slow = edited(slow, was, is);
+  }
+  const std::string repair = repair_of(slow, "P2b", "walls");
+  EXPECT_NE(repair.find(" (which leaves P2b open)"), std::string::npos) << repair;
+}
+
 // Before another order, after which recoveries may take turns.
 TEST_F(Repaired, ARecoveryStaysWithinTheHeightsThatAreAllowed) {
   const auto orchard = [](const std::string& limit, const std::string& order) {
