@@ -198,7 +198,7 @@ class Report {
     return within_what_is(all.parts);
   }
   [[nodiscard]] std::string within_what_is(const std::vector<ZonePart>& parts) const {
-    const std::string text = written_as(*trials_, module_, parts);
+    const std::string text = written_as(*trials_, parts);
     return text.empty() ? "" : "a recovery within a zone that is `" + text + "` works";
   }
   // In its own zone and in those of all that it does not keep, where they are several: others that

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::analysis {
@@ -47,17 +48,6 @@ void find_asked(sema::ExprPtr& e, const SourceRange& at, std::vector<sema::ExprP
   sema::for_each_operand(*e, [&](sema::ExprPtr& operand) { find_asked(operand, at, found); });
 }
 
-// Calls `change` for what a recovery does: for each of its steps, or for what is claimed of it.
-template <class Change>
-void change_each(sema::Controller& recovery, const Change& change) {
-  if (auto* sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
-    for (auto& step : sequence->steps) std::visit(change, step.what);
-  } else if (auto* external = std::get_if<sema::ExternController>(&recovery.implementation)) {
-    if (external->claim) change(*external->claim);
-  } else {
-    std::visit(change, recovery.implementation);
-  }
-}
 template <class Change>
 std::optional<std::int64_t> of_recovery(Trials& trials, const Sought& sought,
                                         const std::string& recovery, const std::string& what,
@@ -69,7 +59,7 @@ std::optional<std::int64_t> of_recovery(Trials& trials, const Sought& sought,
   const Dial dial{what + " of " + recovery, sought.written, sought.far,
                   [&](std::int64_t steps) {
                     const Rational value = value_of(steps, sought.per_unit);
-                    change_each(*found, [&](auto& each) { change(each, value); });
+                    sema::change_each(*found, [&](auto& each) { change(each, value); });
                     return true;
                   },
                   [&] { found->implementation = written; }};
@@ -169,7 +159,7 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
   if (found == spec.controllers.end()) return false;
   const auto written = found->implementation;
   bool over_cells = false;  // which are of the plane
-  change_each(*found, [&](auto& each) {
+  sema::change_each(*found, [&](auto& each) {
     using Step = std::decay_t<decltype(each)>;
     if constexpr (std::is_same_v<Step, sema::Route> || std::is_same_v<Step, sema::Yield>) {
       over_cells = over_cells || each.zone == from;
@@ -182,7 +172,7 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
                   1,
                   [&](std::int64_t) {
                     spec.zones.push_back(std::move(zone));
-                    change_each(*found, [&](auto& each) {
+                    sema::change_each(*found, [&](auto& each) {
                       if constexpr (requires { each.zone; }) {
                         if (each.zone == from) each.zone = last;
                       }

@@ -182,7 +182,7 @@ class InSpace {
   [[nodiscard]] std::string as_far_off(const ir::Recovery& step, const Standoff& fence) const {
     if (trials_ == nullptr) return "works";  // nobody reads it
     const std::vector<ZonePart> parts{{{step.zone}}, {{fence.zone}, fence.mm}};
-    const std::string text = written_as(*trials_, module_, parts);
+    const std::string text = written_as(*trials_, parts);
     if (text.empty()) return "works";
     const Fault fault = fault_of(Code::recovery_elsewhere, written_.recover_range);
     const bool works =

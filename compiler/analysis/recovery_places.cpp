@@ -191,7 +191,7 @@ class Places {
     const bool out = is_boundless(module_[zone]) || step.claims;
     std::vector<ZonePart> parts{{{zone}, out ? kept_mm(step, zone) : 0}};
     if (out) parts.insert(parts.begin(), {{step.zone}});
-    const std::string such = written_as(*trials_, module_, parts);
+    const std::string such = written_as(*trials_, parts);
     const auto has_worked = tried(diag::Code::recovery_elsewhere, step, parts);
     if (has_worked.value_or(true)) {
       const bool named = !out && !is_unnamed(zone);

@@ -6,26 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "compiler/analysis/boundless.h"
+#include "compiler/analysis/common_zone.h"
 #include "compiler/analysis/trials.h"
 #include "compiler/ir/module.h"
 #include "compiler/support/source.h"
 
 namespace rtac::analysis {
-
-// What is above or below a box, between two heights.
-struct Layer {
-  Box box;
-  std::int64_t floor_mm = 0, ceiling_mm = 0;
-  bool operator==(const Layer&) const = default;
-};
-// What is in one of these zones, and so far from the boundary; or else in a layer.
-struct ZonePart {
-  std::vector<ir::ZoneIndex> either;
-  std::int64_t off_mm = 0;
-  std::optional<Layer> layer{};
-  bool operator==(const ZonePart&) const = default;
-};
 
 // Whether `fault` is gone, nothing is wrong that was right, and no error of places is left in
 // `all_of`, when `recovery` moves in what all of `parts` have in common instead of `from`. none: a
@@ -41,7 +27,6 @@ std::string with_an_end(Trials& trials, const Fault& fault, const SourceRange& a
 // What is said of a zone that does not work alone, or that there was no time to try.
 std::string needed_besides(const Trials* trials, const std::string& zone);
 // What works_within tries, as in zone_text.h.
-std::string written_as(const Trials& trials, const ir::Module& module,
-                       const std::vector<ZonePart>& parts);
+std::string written_as(const Trials& trials, const std::vector<ZonePart>& parts);
 
 }  // namespace rtac::analysis

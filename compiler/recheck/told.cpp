@@ -94,8 +94,8 @@ class Reader {
   [[nodiscard]] bool compare(const sema::Compare& v, const sema::Expr& e, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
     if (!a || !b) return otherwise(e, value);
-    const auto is_age = [](const sema::Expr& e) {
-      return std::holds_alternative<sema::AgeOf>(e.node);
+    const auto is_age = [](const sema::Expr& side) {
+      return std::holds_alternative<sema::AgeOf>(side.node);
     };
     const bool of_age = is_age(*v.left) || is_age(*v.right);
     // how old it is, within what is declared, is as it suits

@@ -1,6 +1,8 @@
 // What the built-in safe controllers have in common.
 #pragma once
 
+#include <variant>
+
 #include "compiler/sema/spec.h"
 
 namespace rtac::sema {
@@ -23,5 +25,17 @@ std::optional<Moves> moves_of(const Template& what);
 
 // The way that a controller ends with; only the last step of a sequence leads to a site.
 std::optional<Route> route_of(const Controller& controller);
+
+// Calls `change` for what a recovery does: for each of its steps, or for what is claimed of it.
+template <class Change>
+void change_each(Controller& recovery, const Change& change) {
+  if (auto* sequence = std::get_if<Sequence>(&recovery.implementation)) {
+    for (auto& step : sequence->steps) std::visit(change, step.what);
+  } else if (auto* external = std::get_if<ExternController>(&recovery.implementation)) {
+    if (external->claim) change(*external->claim);
+  } else {
+    std::visit(change, recovery.implementation);
+  }
+}
 
 }  // namespace rtac::sema

@@ -45,7 +45,7 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
       o.because = "`return when` of " + quoted(m.name) + " asks for " + quoted(s.spec[input].name) +
                   " on one side of an `or`, for something else on another, and that input is "
                   "spoken of elsewhere, too";
-      o.repair = "a `return when` without that `or` works";
+      o.repair = "a `return when` without that `or` is needed";
       o.claims.clear();
       o.place_mm = {};
       return o;
@@ -67,7 +67,7 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
   o.method = never ? "interval arithmetic" : "no proof";
   o.because = std::string(never ? "no inputs are seen to make" : "no inputs were found that make") +
               " true at once what is said by " + names + ", and asked for to return";
-  o.repair = "conditions that do not exclude each other work";
+  o.repair = "conditions that do not exclude each other are needed";
   o.claims.clear();
   o.place_mm = {};
   return o;

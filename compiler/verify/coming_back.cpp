@@ -14,6 +14,7 @@
 #include "compiler/support/words.h"
 #include "compiler/verify/about_recovery.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/other_recoveries.h"
 
 namespace rtac::verify {
 
@@ -113,10 +114,10 @@ Doubt doubt_of_ways(const Subject& s, std::size_t k, const ir::Recovery& last) {
   if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
   if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
   if (std::string cut = cut_short(s, last); !cut.empty()) {
-    return {std::move(cut), "fewer vertices work, or less clearance that is asked for"};
+    return {std::move(cut), "fewer vertices are needed, or less clearance that is asked for"};
   }
   if (std::string outside = led_nowhere(s, k, last); !outside.empty()) {
-    return {std::move(outside), "a wider passage works, or less of an error"};
+    return {std::move(outside), "a wider passage is needed, or less of an error"};
   }
   return {on_the_rim(s, last)};
 }
@@ -259,7 +260,7 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
   open.method = "no proof";
   open.because = "that `return when` of " + quoted(m.name) + " holds where " +
                  quoted(m.recovery.name) + " leads is not shown";
-  open.repair = "a condition on what it leads to works, or `hold when violated \"why\"`";
+  open.repair = "a condition on what it leads to is needed, or `hold when violated \"why\"`";
   if (m.returns.shown_mmps) {
     const std::string mmps = to_decimal(Rational(*m.returns.shown_mmps, 1000)) + " m/s";
     open.because += ": samples may show a robot at rest at up to " + mmps;
@@ -276,8 +277,9 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
                    metres(open.place_mm->second) + ") " + quoted(m.recovery.name) +
                    " leads no further, and `return when` of " + quoted(m.name) +
                    " does not hold there";
-    open.repair = routes ? "a site within what it asks for works"
-                         : "a recovery within what it asks for works";
+    open.repair = routes ? "a site within what it asks for is needed"
+                         : "a recovery within what it asks for is needed";
+    if (s.is_read) open.mends = recoveries_to_its_condition(s, k);
   }
   return open;
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/analysis/common_zone.h"
 #include "compiler/diagnostics/engine.h"
 
 namespace rtac::verify {
@@ -74,8 +75,19 @@ struct EarlierReturn {
   std::string monitor, zone;
   std::int64_t less_mm = 0;
 };
+// That a recovery drives no faster than so.
+struct SlowerRecovery {
+  std::string recovery;
+  std::int64_t mmps = 0;
+};
+// That a recovery moves within what all of these have in common, where it moves within `from`.
+struct OtherZone {
+  std::string recovery;
+  sema::ZoneId from{};
+  std::vector<analysis::DeclaredPart> parts{};
+};
 // What may be written in another way.
-using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn>;
+using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, OtherZone>;
 
 struct Obligation {
   Kind kind{};

@@ -432,10 +432,15 @@ void for_each_subject(const sema::Spec& spec, const ir::Module& module, const ir
   };
   const std::function<const geometry::Solid&(ir::ZoneIndex)> solid =
       [&](ir::ZoneIndex zone) -> const geometry::Solid& { return zones.solid(zone); };
+  const analysis::ZoneOf zone_of = [&](ir::ZoneIndex zone) -> std::optional<sema::ZoneId> {
+    const auto at = std::ranges::find(tables.zones, std::optional(zone));
+    if (at == tables.zones.end()) return std::nullopt;
+    return sema::ZoneId(at - tables.zones.begin());
+  };
   for (std::size_t n = 0; n < module.decisions.size(); ++n) {
     const sema::Decision& written = spec.decisions[n];
-    visit(Subject{spec, module, written, module.decisions[n], exact, solid, spec[written.kind],
-                  is_read});
+    visit(Subject{spec, module, written, module.decisions[n], exact, solid, zone_of,
+                  spec[written.kind], is_read});
   }
 }
 

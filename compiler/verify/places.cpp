@@ -269,7 +269,7 @@ Obligation not_told(Obligation o, const analysis::Told& told) {
   o.status = Status::refuted;
   o.method = "interval search";
   o.because = "no inputs are seen to make it true, whatever the robots do";
-  o.repair = "a property that can be seen to be true works";
+  o.repair = "a property that can be seen to be true is needed";
   return o;
 }
 void claim_told(const Subject& s, std::size_t k, bool holds,
@@ -294,7 +294,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.status = Status::refuted;
     o.method = "static check";
     o.because = "it is false, whatever is measured";
-    o.repair = "a property that can be true works";
+    o.repair = "a property that can be true is needed";
     return o;
   }
   if (atoms_of(m.property).received) {
@@ -369,7 +369,7 @@ Obligation can_fail(const Subject& s, std::size_t k) {
     o.status = Status::refuted;
     o.method = "static check";
     o.because = "it is never false" + (because.empty() ? "" : ": " + because);
-    o.repair = "a property that can be false works";
+    o.repair = "a property that can be false is needed";
     return o;
   }
   if (vacuity.can_fail == analysis::CanFail::open) {
@@ -408,6 +408,18 @@ std::string seen_too_near(const Subject& s, const std::vector<Need>& needs) {
            metres(need.clearance_mm);
   }
   return "";
+}
+
+// Of zones that leave no place for all, in words.
+std::string what_is_needed(const Subject& s, const std::vector<Need>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!s.exact(all[i].zone).intersect(s.exact(all[j].zone)).empty()) continue;
+      return quoted(s.module[all[j].zone].name) + " and " + quoted(s.module[all[i].zone].name) +
+             " have nothing in common: conditions that can be so at one place are needed";
+    }
+  }
+  return "zones that share more room, a shorter `ahead` or a lower `speed` are needed";
 }
 
 Obligation together(const Subject& s, const JointNeeds& needs) {
@@ -461,7 +473,7 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     o.status = Status::refuted;
     if (const auto at = any_place(s, all)) o.place_mm = {in_mm(at->x), in_mm(at->y)};
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
-    o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` work";
+    o.repair = what_is_needed(s, all);
     if (s.is_read) o.mends = earlier_returns(s);
   } else {
     o.status = Status::unknown;
@@ -536,7 +548,7 @@ Obligation returned_as_they_say(const Subject& s) {
     if (!s.is_read) return o;
     const std::vector<Need> zones = joint_needs_of(s).zones;
     const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
-    o.repair = flat ? room_that_works(s, zones) : "a wider zone works, or a smaller distance";
+    o.repair = flat ? room_that_works(s, zones) : "a wider zone is needed, or a smaller distance";
     return o;
   }
   const auto& monitors = s.decision.monitors;

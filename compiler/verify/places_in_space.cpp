@@ -137,7 +137,7 @@ class Together {
       return o;
     }
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
-    o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` work";
+    o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` are needed";
     return o;
   }
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "compiler/analysis/arbitration.h"
+#include "compiler/analysis/common_zone.h"
 #include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/told.h"
 #include "compiler/geometry/solid.h"
@@ -39,6 +40,7 @@ struct Subject {
   const ir::Decision& decision;
   const analysis::ExactZone& exact;
   const std::function<const geometry::Solid&(ir::ZoneIndex)>& solid;  // of a zone with height
+  const analysis::ZoneOf& zone_of;
   const sema::RobotKind& kind;
   bool is_read = true;  // somebody reads the texts, and not only what is shown
   std::shared_ptr<analysis::KnownPlaces> known = std::make_shared<analysis::KnownPlaces>();

@@ -18,6 +18,7 @@
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/other_recoveries.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
@@ -397,30 +398,6 @@ std::vector<Mend> later_returns(const Subject& s, const protocol::Arbitration& k
   }
   return all;
 }
-// Of monitors whose recoveries take turns, "`back`, `down`": that one of them has that of another.
-std::vector<Mend> same_recoveries(const ir::Decision& d, const std::string& in_turns) {
-  const auto takes_turns = [&](const ir::Monitor& m) {
-    return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
-  };
-  // what an `acknowledge` names has to stay a recovery of the decision
-  const auto has_to_stay = [&](const std::string& recovery) {
-    return std::ranges::find(d.acknowledgements, recovery, &ir::Acknowledgement::recovery) !=
-               d.acknowledgements.end() &&
-           std::ranges::count_if(
-               d.monitors, [&](const ir::Monitor& m) { return m.recovery.name == recovery; }) == 1;
-  };
-  std::vector<Mend> all;
-  for (const ir::Monitor& one : d.monitors) {
-    if (has_to_stay(one.recovery.name)) continue;
-    std::set<std::string> tried{one.recovery.name};
-    for (const ir::Monitor& other : d.monitors) {
-      if (!takes_turns(one) || !takes_turns(other)) continue;
-      if (!tried.insert(other.recovery.name).second) continue;
-      all.emplace_back(SameRecovery{one.name, other.recovery.name});
-    }
-  }
-  return all;
-}
 
 }  // namespace
 
@@ -476,7 +453,7 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
     Obligation open = unknown(std::move(o), s, *broken);
     if (open.in_turns) {
       open.mends = later_returns(s, known);
-      std::ranges::move(same_recoveries(s.decision, broken->why), std::back_inserter(open.mends));
+      std::ranges::move(other_recoveries(s, matrix, broken->why), std::back_inserter(open.mends));
     }
     return open;
   }

@@ -270,6 +270,114 @@ decision drive for Cart { advanced go; period 100 ms; priority keep > walls; }
   EXPECT_FALSE(proved(page(std::to_string(std::lround(1050 * most))), "joint return", ""));
 }
 
+// A limit of speed stops a recovery again and again, and it lets go too soon besides.
+TEST_F(Repaired, ASlowerRecoveryAndALaterReturnEndTurnsTogether) {
+  const auto page = [](const std::string& speed, const std::string& called) {
+    return R"(spec recall;
+zone yard   = rectangle (0 m, 0 m) to (24 m, 12 m);
+zone kids   = rectangle (10 m, 3 m) to (14 m, 9 m);
+zone garage = rectangle (0 m, 0 m) to (5 m, 12 m);
+input recall : bool max_age 500 ms;
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 1.5 m/s; accel <= 1.5 m/s^2; brake >= 1.5 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  output  push : acceleration;
+  latency 30 ms;
+}
+fleet b : Bot;
+controller go   : advanced for Bot extern;
+controller home : safe for Bot = retreat within garage speed )" +
+           speed + R"(m/s;
+controller stop : safe for Bot = brake_and_hold;
+controller back : safe for Bot = retreat within yard speed 0.3 m/s;
+monitor called for r : Bot { "R1" always recall implies r inside garage; recover home; )" +
+           called + R"( }
+monitor gentle for r : Bot { "R2" always distance(r, kids) <= 1 m implies r.speed <= 0.5 m/s; recover stop; }
+monitor fence  for r : Bot { "R3" always r inside yard; recover back; }
+decision drive for Bot { advanced go; period 50 ms; priority gentle > called > fence; }
+)";
+  };
+  const std::string repair = repair_of(page("0.8 ", ""), "switching", "");
+  const double speed = number_after(repair, "a speed of `home` of at most ");
+  const double gap = number_after(repair, "`return when clearance(r, yard) >= ");
+  EXPECT_NE(repair.find(" work, together"), std::string::npos) << repair;
+  const auto works = [&](double by_speed, double by_gap) {
+    const auto milli = [](double m) { return std::to_string(std::lround(1000 * m)) + " m"; };
+    return proved(page(milli(by_speed * speed),
+                       "return when clearance(r, yard) >= " + milli(by_gap * gap) + "m;"),
+                  "switching", "");
+  };
+  EXPECT_TRUE(works(1, 1)) << repair;
+  EXPECT_FALSE(works(1.05, 1)) << repair;
+  EXPECT_FALSE(works(1, 0.95)) << repair;
+}
+
+// What leads up again while a storm asks to be low stays below that.
+TEST_F(Repaired, ARecoveryThatTakesTurnsIsOfferedALayer) {
+  const auto page = [](const std::string& zone) {
+    return R"(spec storm;
+zone air = prism (rectangle (0 m, 0 m) to (40 m, 40 m)) from 0 m to 30 m;
+zone low = air & prism (rectangle (0 m, 0 m) to (40 m, 40 m)) from 0 m to 8 m;
+input storm : bool max_age 500 ms;
+robot Quad {
+  body    radius 30 cm;
+  motion  point { speed <= 3 m/s; accel <= 2.5 m/s^2; brake >= 2.5 m/s^2; }
+  sense   position : point3  error 5 cm   max_age 50 ms;
+  sense   velocity : vector3 error 5 cm/s max_age 50 ms;
+  output  thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller go   : advanced for Quad extern;
+controller down : safe for Quad = land to 2 m speed 0.5 m/s;
+controller back : safe for Quad = retreat within )" +
+           zone + R"( speed 0.6 m/s;
+monitor gale  for r : Quad { "R1" always storm implies r.position.z <= 8 m; recover down; }
+monitor walls for r : Quad { "R2" always r inside air; recover back; }
+decision fly for Quad { advanced go; period 50 ms; priority gale > walls; }
+)";
+  };
+  const std::string repair = repair_of(page("air"), "switching", "");
+  EXPECT_EQ(repair,
+            "`back` within a zone that is `air & prism (rectangle (0 m, 0 m) to (40 m, 40 m)) from "
+            "0 m to 8 m` works");
+  EXPECT_TRUE(proved(page("low"), "switching", ""));
+}
+
+// Where each recovery ends its own condition holds; no place is in both zones.
+TEST_F(Repaired, ARecoveryIsOfferedTheZoneThatItsReturnAsksFor) {
+  const auto page = [](const std::string& west) {
+    return R"(spec lines;
+zone plant = rectangle (0 m, 0 m) to (16 m, 8 m);
+zone west  = rectangle (0 m, 0 m) to (7 m, 8 m);
+zone east  = rectangle (8 m, 0 m) to (16 m, 8 m);
+robot Bot {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  output  push : acceleration;
+  latency 30 ms;
+}
+fleet b : Bot;
+controller go   : advanced for Bot extern;
+controller back : safe for Bot = retreat within )" +
+           west + R"( speed 0.3 m/s;
+controller slow : safe for Bot = retreat within plant speed 0.3 m/s;
+monitor fence for r : Bot { "R1" always r inside plant; recover back; return when clearance(r, west) >= 50 cm; }
+monitor calm  for r : Bot { "R2" always r.speed <= 0.8 m/s; recover slow; return when clearance(r, east) >= 50 cm; }
+decision drive for Bot { advanced go; period 100 ms; priority fence > calm; }
+)";
+  };
+  EXPECT_EQ(repair_of(page("plant"), "P2b", "fence"), "`within west` in `back` works");
+  EXPECT_TRUE(proved(page("west"), "P2b", "fence"));
+  EXPECT_EQ(repair_of(page("plant"), "joint return", ""),
+            "`west` and `east` have nothing in common: conditions that can be so at one place are "
+            "needed");
+}
+
 // An order that works is in the report; one that only breaks another pair is nowhere.
 TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
   const auto high = [](const std::string& order) {

@@ -1,0 +1,201 @@
+#include "compiler/driver/rewriting.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include "compiler/analysis/common_zone.h"
+#include "compiler/analysis/sides.h"
+#include "compiler/sema/templates.h"
+#include "compiler/support/words.h"
+
+namespace rtac::driver {
+namespace {
+
+using verify::EarlierReturn;
+using verify::LaterReturn;
+using verify::OtherZone;
+using verify::SameRecovery;
+using verify::SlowerRecovery;
+using Undo = std::function<void()>;  // none: nothing was changed
+
+template <class T>
+Undo exchanged(T& written, T by) {
+  const auto other = std::make_shared<T>(std::move(by));
+  std::swap(written, *other);
+  return [&written, other] { std::swap(written, *other); };
+}
+template <class Named>
+Named* named(std::vector<Named>& all, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &Named::name);
+  return found == all.end() ? nullptr : &*found;
+}
+const std::string& robot_of(const sema::Spec& spec, const std::string& monitor) {
+  return std::ranges::find(spec.monitors, monitor, &sema::Monitor::name)->robot;
+}
+std::string in_monitor(const std::string& monitor) {
+  return " in `" + monitor + "`";
+}
+
+// ---- when control is given back ----------------------------------------------------------------
+
+sema::ExprPtr clearance_of(const sema::Spec& spec, const std::string& zone, std::int64_t mm,
+                           const SourceRange& at) {
+  const auto declared = std::ranges::find(spec.zones, zone, &sema::Zone::name);
+  const auto id = static_cast<sema::ZoneId>(declared - spec.zones.begin());
+  sema::Expr gap{at, false, {.m = 1}, sema::Clearance{id}};
+  sema::Expr least{at, false, {.m = 1}, sema::Constant{analysis::metres_of(mm)}};
+  sema::Compare compare{sema::CompareOp::greater_equal,
+                        std::make_unique<sema::Expr>(std::move(gap)),
+                        std::make_unique<sema::Expr>(std::move(least))};
+  return std::make_unique<sema::Expr>(sema::Expr{at, true, {}, std::move(compare)});
+}
+sema::ExprPtr condition_of(const sema::Spec& spec, const LaterReturn& later,
+                           const SourceRange& at) {
+  sema::Logic all{sema::LogicOp::logical_and, {}};
+  for (const auto& [zone, mm] : later.clearances_mm) {
+    all.operands.push_back(clearance_of(spec, zone, mm, at));
+  }
+  if (all.operands.size() == 1) return std::move(all.operands.front());
+  return std::make_unique<sema::Expr>(sema::Expr{at, true, {}, std::move(all)});
+}
+Undo rewritten(sema::Spec& spec, const LaterReturn& later) {
+  sema::Monitor* const monitor = named(spec.monitors, later.monitor);
+  if (monitor == nullptr || monitor->return_when) return {};
+  return exchanged(monitor->return_when, condition_of(spec, later, monitor->always_range));
+}
+// "`return when clearance(r, hall) >= 0.89 m;` in `quiet`"
+std::string text(const sema::Spec& spec, const LaterReturn& later) {
+  std::string all;
+  for (const auto& [zone, mm] : later.clearances_mm) {
+    all += (all.empty() ? "" : " and ") + std::string("clearance(") +
+           robot_of(spec, later.monitor) + ", " + zone + ") >= " + metres(mm);
+  }
+  return "`return when " + all + ";`" + in_monitor(later.monitor);
+}
+
+// The number that the `return when` of a monitor compares the clearance from a zone with, as one of
+// all that have to hold; null: there is none.
+template <class Monitor>
+auto* clearance_asked(const sema::Spec& spec, Monitor& monitor, const std::string& zone) {
+  const auto in = [&](sema::Expr& e, const auto& self) -> sema::Constant* {
+    if (auto* const all = std::get_if<sema::Logic>(&e.node)) {
+      if (all->op != sema::LogicOp::logical_and) return nullptr;
+      for (const sema::ExprPtr& each : all->operands) {
+        if (sema::Constant* const found = self(*each, self)) return found;
+      }
+      return nullptr;
+    }
+    auto* const compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr) return nullptr;
+    const auto* const gap = std::get_if<sema::Clearance>(&compare->left->node);
+    const bool of_it = gap != nullptr && spec[gap->zone].name == zone;
+    const bool least = compare->op == sema::CompareOp::greater_equal;
+    return of_it && least ? std::get_if<sema::Constant>(&compare->right->node) : nullptr;
+  };
+  sema::Constant* const none = nullptr;
+  return monitor.return_when ? in(*monitor.return_when, in) : none;
+}
+Rational less(const sema::Constant& asked, const EarlierReturn& earlier) {
+  return asked.value - analysis::metres_of(earlier.less_mm);
+}
+Undo rewritten(sema::Spec& spec, const EarlierReturn& earlier) {
+  sema::Monitor* const monitor = named(spec.monitors, earlier.monitor);
+  sema::Constant* const asked =
+      monitor != nullptr ? clearance_asked(spec, *monitor, earlier.zone) : nullptr;
+  if (asked == nullptr || less(*asked, earlier) < 0) return {};
+  return exchanged(asked->value, less(*asked, earlier));
+}
+// "`clearance(r, hall) >= 1.2 m` in the `return when` of `quiet`"
+std::string text(const sema::Spec& spec, const EarlierReturn& earlier) {
+  const auto& monitor = *std::ranges::find(spec.monitors, earlier.monitor, &sema::Monitor::name);
+  const sema::Constant* const asked = clearance_asked(spec, monitor, earlier.zone);
+  if (asked == nullptr) return "";
+  return "`clearance(" + monitor.robot + ", " + earlier.zone +
+         ") >= " + metres(less(*asked, earlier)) + "` in the `return when` of `" + monitor.name +
+         "`";
+}
+
+// ---- recoveries --------------------------------------------------------------------------------
+
+Undo rewritten(sema::Spec& spec, const SameRecovery& same) {
+  sema::Monitor* const monitor = named(spec.monitors, same.monitor);
+  sema::Controller* const recovery = named(spec.controllers, same.recovery);
+  if (monitor == nullptr || recovery == nullptr) return {};
+  const auto id = static_cast<sema::ControllerId>(recovery - spec.controllers.data());
+  return exchanged(monitor->recover, std::optional(id));
+}
+// "`recover back;` in `quiet`"
+std::string text(const sema::Spec&, const SameRecovery& same) {
+  return "`recover " + same.recovery + ";`" + in_monitor(same.monitor);
+}
+
+// Of a recovery that is built in, as nobody can say what another one does.
+template <class Change>
+Undo changed(sema::Spec& spec, const std::string& recovery, const Change& change) {
+  sema::Controller* const controller = named(spec.controllers, recovery);
+  if (controller == nullptr ||
+      std::holds_alternative<sema::ExternController>(controller->implementation)) {
+    return {};
+  }
+  auto copy = controller->implementation;
+  Undo undo = exchanged(controller->implementation, std::move(copy));
+  sema::change_each(*controller, change);
+  return undo;
+}
+Undo rewritten(sema::Spec& spec, const SlowerRecovery& slower) {
+  return changed(spec, slower.recovery, [&](auto& each) {
+    if constexpr (requires { each.speed; }) {
+      each.speed.value = std::min(each.speed.value, analysis::metres_of(slower.mmps));
+    }
+  });
+}
+// "a speed of `home` of at most 0.44 m/s"
+std::string text(const sema::Spec&, const SlowerRecovery& slower) {
+  return "a speed of `" + slower.recovery + "` of at most " +
+         to_decimal(analysis::metres_of(slower.mmps)) + " m/s";
+}
+// The zone that is asked for, if it has a name.
+std::optional<sema::ZoneId> named_zone(const sema::Spec& spec, const OtherZone& other) {
+  if (other.parts.size() != 1) return std::nullopt;
+  const analysis::DeclaredPart& part = other.parts.front();
+  const bool whole = part.either.size() == 1 && part.off_mm == 0 && !part.layer;
+  if (!whole || spec[part.either.front()].name.empty()) return std::nullopt;
+  return part.either.front();
+}
+Undo rewritten(sema::Spec& spec, const OtherZone& other) {
+  const auto known = named_zone(spec, other);
+  const sema::ZoneId next{static_cast<std::uint32_t>(spec.zones.size())};
+  const Undo undo = changed(spec, other.recovery, [&](auto& each) {
+    if constexpr (requires { each.zone; }) {
+      if (each.zone == other.from) each.zone = known.value_or(next);
+    }
+  });
+  if (!undo || known) return undo;
+  spec.zones.push_back(analysis::common_zone(spec, other.from, other.parts));
+  return [&spec, undo] {
+    undo();
+    spec.zones.pop_back();
+  };
+}
+// "`within dry` in `home`"
+std::string text(const sema::Spec& spec, const OtherZone& other) {
+  if (const auto known = named_zone(spec, other)) {
+    return "`within " + spec[*known].name + "` in `" + other.recovery + "`";
+  }
+  const std::string zone = analysis::common_text(spec, other.parts);
+  if (zone.empty()) return "";
+  return "`" + other.recovery + "` within a zone that is `" + zone + "`";
+}
+
+}  // namespace
+
+std::string text_of(const sema::Spec& spec, const verify::Mend& mend) {
+  return std::visit([&](const auto& each) { return text(spec, each); }, mend);
+}
+
+Rewriting::Rewriting(sema::Spec& spec, const verify::Mend& mend)
+    : undo_(std::visit([&](const auto& each) { return rewritten(spec, each); }, mend)) {}
+
+}  // namespace rtac::driver

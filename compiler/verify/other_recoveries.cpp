@@ -1,0 +1,107 @@
+#include "compiler/verify/other_recoveries.h"
+
+#include <algorithm>
+#include <set>
+
+#include "compiler/analysis/limits.h"
+#include "compiler/ir/linear.h"
+#include "compiler/ir/operands.h"
+#include "compiler/support/words.h"
+
+namespace rtac::verify {
+namespace {
+
+bool is_named(const std::string& in_turns, const ir::Monitor& m) {
+  return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
+}
+// What an `acknowledge` names has to stay a recovery of the decision.
+bool has_to_stay(const ir::Decision& d, const std::string& recovery) {
+  const auto& acknowledged = d.acknowledgements;
+  return std::ranges::find(acknowledged, recovery, &ir::Acknowledgement::recovery) !=
+             acknowledged.end() &&
+         std::ranges::count_if(
+             d.monitors, [&](const ir::Monitor& m) { return m.recovery.name == recovery; }) == 1;
+}
+template <class Takes>
+void add_recoveries_of_others(const ir::Decision& d, const ir::Monitor& of, const Takes& takes,
+                              std::vector<Mend>& all) {
+  if (has_to_stay(d, of.recovery.name)) return;
+  std::set<std::string> tried{of.recovery.name};
+  for (const ir::Monitor& other : d.monitors) {
+    if (!takes(other) || !tried.insert(other.recovery.name).second) continue;
+    all.emplace_back(SameRecovery{of.name, other.recovery.name});
+  }
+}
+
+// The greatest speed at which a recovery is never seen to be faster than that. 0: there is none.
+std::int64_t slow_enough_mmps(const ir::Decision& d, std::int64_t limit_mmps) {
+  const auto fastest = [&](std::int64_t mmps) {
+    return analysis::fastest_mmps(d.body, d.pushed_mmps, d.period_us, mmps);
+  };
+  std::int64_t low = 0, high = limit_mmps + 1;
+  while (high - low > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (fastest(middle) <= limit_mmps ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration& matrix,
+                                   const std::string& in_turns) {
+  const ir::Decision& d = s.decision;
+  const auto takes_turns = [&](const ir::Monitor& m) { return is_named(in_turns, m); };
+  std::vector<Mend> all;
+  for (const ir::Monitor& m : d.monitors) {
+    if (takes_turns(m)) add_recoveries_of_others(d, m, takes_turns, all);
+  }
+  for (std::size_t i = 0; i < d.monitors.size(); ++i) {
+    for (std::size_t j = 0; j < d.monitors.size(); ++j) {
+      if (i == j || !takes_turns(d.monitors[i]) || !takes_turns(d.monitors[j])) continue;
+      for (const analysis::Within& within : matrix[i][j].within) {
+        const auto from = s.zone_of(within.from);
+        const auto parts = analysis::declared(within.parts, s.zone_of);
+        if (from && parts) all.emplace_back(OtherZone{d.monitors[i].recovery.name, *from, *parts});
+      }
+    }
+  }
+  std::set<std::int64_t> limits_mmps;
+  for (const ir::Monitor& m : d.monitors) {
+    ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+      const auto most = ir::upper_bound(block, compare);
+      if (most && most->leaf.kind == ir::Leaf::Kind::speed) limits_mmps.insert(most->most);
+    });
+  }
+  std::set<std::string> tried;
+  for (const ir::Monitor& m : d.monitors) {
+    if (!takes_turns(m) || !tried.insert(m.recovery.name).second) continue;
+    for (const std::int64_t limit : limits_mmps) {
+      const std::int64_t mmps = slow_enough_mmps(d, limit);
+      const bool is_slower = mmps > 0 && mmps < ir::last_step(m.recovery).speed_mmps;
+      if (is_slower) all.emplace_back(SlowerRecovery{m.recovery.name, mmps});
+    }
+  }
+  return all;
+}
+
+std::vector<Mend> recoveries_to_its_condition(const Subject& s, std::size_t k) {
+  const ir::Decision& d = s.decision;
+  const ir::Monitor& m = d.monitors[k];
+  const auto moves = [](const ir::Monitor& other) {
+    return ir::moves(ir::last_step(other.recovery).kind);
+  };
+  std::vector<Mend> all;
+  add_recoveries_of_others(d, m, moves, all);
+  if (!m.return_when || !moves(m)) return all;
+  const auto from = s.zone_of(ir::last_step(m.recovery).zone);
+  ir::for_each_comparison(*m.return_when, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto least = ir::lower_bound(block, compare, d.facts.params);
+    if (!least || least->leaf.kind != ir::Leaf::Kind::clearance) return;
+    const auto zone = s.zone_of(ir::ZoneIndex{least->leaf.table});
+    if (from && zone) all.emplace_back(OtherZone{m.recovery.name, *from, {{{*zone}}}});
+  });
+  return all;
+}
+
+}  // namespace rtac::verify
