@@ -27,6 +27,8 @@ using verify::Status;
 constexpr std::size_t tries_most = 4;
 constexpr std::int64_t looks_most = 800'000'000;
 
+constexpr const char* by_runs = ": no run under attack has kept it waiting longer";
+
 bool is_open(const Obligation& o) {
   return o.status != Status::proved && o.status != Status::acknowledged;
 }
@@ -51,8 +53,10 @@ std::set<Key> open_of(const Report& report, bool refuted) {
 // What one obligation takes to be shown.
 class Mending {
  public:
-  Mending(Compilation& c, const Report& report, const std::string& decision, const Obligation& o)
+  Mending(Compilation& c, const PlayAnew& play, const Report& report, const std::string& decision,
+          const Obligation& o)
       : c_(c),
+        play_(play),
         key_(key_of(decision, o)),
         refuted_(open_of(report, true)),
         open_(open_of(report, false)) {}
@@ -65,7 +69,7 @@ class Mending {
       const std::string text = text_of(*c_.spec, mends[k]);
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
-      if (mends_it(*anew)) return text + " works";
+      if (mends_it(*anew)) return text + " works" + (by_runs_ ? by_runs : "");
       left.emplace_back(&mends[k], leaves(*anew));
     }
     for (const auto& [first, more] : left) {
@@ -84,12 +88,26 @@ class Mending {
   std::optional<Report> with(const Mend& mend) {
     if (geometry::looks() - c_.looks_before > looks_most) return std::nullopt;
     const Rewriting written(*c_.spec, mend);
-    const auto built = written ? build_anew(*c_.spec, c_.sources) : std::nullopt;
+    auto built = written ? build_anew(*c_.spec, c_.sources) : std::nullopt;
     if (!built) return std::nullopt;
     Report anew = verify::verify(*c_.spec, &built->module, built->tables, built->diagnostics.all(),
                                  check_model);
     leave_open(anew);  // no run is looked for
+    if (!keeps_as_declared(anew, *built)) return std::nullopt;
     return anew;
+  }
+  // What is declared, and a run has refuted, none refutes any more.
+  bool keeps_as_declared(const Report& anew, BuiltAnew& built) {
+    by_runs_ = false;
+    for (const verify::Decision& d : anew.decisions) {
+      for (const Obligation& o : d.obligations) {
+        if (key_of(d.name, o) != key_ || !o.declared) continue;
+        Report alone{anew.spec, {{d.name, d.kind, {o}, {}}}};
+        by_runs_ = play_(built, alone);
+        return by_runs_ && !is_open(alone.decisions.front().obligations.front());
+      }
+    }
+    return true;
   }
   // It is shown, and nothing is open, or refuted, that was not.
   [[nodiscard]] bool mends_it(const Report& anew) const {
@@ -112,17 +130,19 @@ class Mending {
   }
 
   Compilation& c_;
+  const PlayAnew& play_;
   const Key key_;
   const std::set<Key> refuted_, open_;
+  bool by_runs_ = false;  // what was built last was played as well
 };
 
 }  // namespace
 
-void offer_mends(Compilation& c, Report& report) {
+void offer_mends(Compilation& c, const PlayAnew& play, Report& report) {
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       if (!is_open(o) || o.mends.empty()) continue;
-      std::string works = Mending(c, report, d.name, o).run(o.mends);
+      std::string works = Mending(c, play, report, d.name, o).run(o.mends);
       if (!works.empty()) o.repair = std::move(works);
     }
   }

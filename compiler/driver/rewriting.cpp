@@ -15,6 +15,7 @@ namespace {
 
 using verify::EarlierReturn;
 using verify::LaterReturn;
+using verify::LongerWait;
 using verify::OtherZone;
 using verify::SameRecovery;
 using verify::SlowerRecovery;
@@ -187,6 +188,18 @@ std::string text(const sema::Spec& spec, const OtherZone& other) {
   const std::string zone = analysis::common_text(spec, other.parts);
   if (zone.empty()) return "";
   return "`" + other.recovery + "` within a zone that is `" + zone + "`";
+}
+
+// ---- robots ------------------------------------------------------------------------------------
+
+Undo rewritten(sema::Spec& spec, const LongerWait& longer) {
+  sema::RobotKind* const kind = named(spec.kinds, longer.kind);
+  if (kind == nullptr || !kind->energy) return {};
+  return exchanged(kind->energy->held.value, Rational(static_cast<long>(longer.seconds)));
+}
+// "`held <= 1200 s` in `Cart`"
+std::string text(const sema::Spec&, const LongerWait& longer) {
+  return "`held <= " + std::to_string(longer.seconds) + " s` in `" + longer.kind + "`";
 }
 
 }  // namespace

@@ -67,6 +67,22 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
   return refuse_mutant(options, c);
 }
 
+// Of what was tried nothing is kept.
+bool play_anew(const Options& options, Compilation& c, BuiltAnew& built, verify::Report& report) {
+  const TemporaryFolder folder;
+  Options trial = options;
+  trial.output = folder.path();
+  Compilation aside;
+  aside.spec = std::move(c.spec);
+  aside.module = std::move(built.module);
+  aside.tables = built.tables;
+  Simulator simulator;
+  const bool can = simulator.build(trial, aside) == exit_clean;
+  if (can) show(trial, simulator, aside, report);
+  c.spec = std::move(aside.spec);
+  return can;
+}
+
 }  // namespace
 
 int verify(const Options& options, Compilation& c, std::ostream& out) {
@@ -81,7 +97,10 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
     }
   }
   leave_open(report);
-  if (c.module) offer_mends(c, report);
+  if (c.module) {
+    offer_mends(
+        c, [&](auto& built, auto& anew) { return play_anew(options, c, built, anew); }, report);
+  }
   worst = verify::worst(report);
   if (!options.output.empty() && report.complete) {
     std::string problem = write_certificates(c, report, options.output);

@@ -86,8 +86,14 @@ struct OtherZone {
   sema::ZoneId from{};
   std::vector<analysis::DeclaredPart> parts{};
 };
+// That others may keep robots of a kind waiting for so long.
+struct LongerWait {
+  std::string kind;
+  std::int64_t seconds = 0;
+};
 // What may be written in another way.
-using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, OtherZone>;
+using Mend =
+    std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, OtherZone, LongerWait>;
 
 struct Obligation {
   Kind kind{};

@@ -17,6 +17,23 @@
 namespace rtac::verify {
 namespace {
 
+// That each of the others charges at the same site meanwhile, up to where control is given back.
+std::vector<Mend> waits_for_all_charges(const Subject& s, const ir::Monitor& judged) {
+  const sema::Energy& energy = *s.kind.energy;
+  if (s.decision.open_fleet || energy.charge.value <= 0) return {};
+  Rational level = 1;
+  const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
+    if (!least || least->leaf.kind != ir::Leaf::Kind::battery) return;
+    level = std::min(level, Rational(static_cast<long>(least->need.strictest), 1'000'000));
+  };
+  if (judged.return_when) ir::for_each_comparison(*judged.return_when, read);
+  const std::int64_t wait_s =
+      ceil_to_int(Rational(Rational(s.decision.robots - 1) * level / energy.charge.value));
+  if (wait_s <= energy.held.value) return {};
+  return {LongerWait{s.kind.name, wait_s}};
+}
+
 // What moves is gated by distances to others. How long it waits for them nothing bounds but what is
 // declared (language rule 6.7): whoever writes `held` accepts that, and the proof is one of all the
 // rest. A run in which a battery fails counts against the monitor's own recovery, unless something
@@ -36,6 +53,7 @@ Obligation as_long_as_declared(const Subject& s, std::size_t driving, const ir::
   o.declared = o.kind == Kind::p2a && std::ranges::none_of(d.acknowledgements, [&](const auto& a) {
                  return a.monitor == judged.name;
                });
+  if (o.declared) o.mends = waits_for_all_charges(s, judged);
   return o;
 }
 

@@ -346,6 +346,43 @@ decision fly for Quad { advanced go; period 50 ms; priority gale > walls; }
   EXPECT_TRUE(proved(page("low"), "switching", ""));
 }
 
+// Two carts at one plug, where a charge takes far longer than one is said to wait for the other.
+TEST_F(Repaired, WhoWaitsForOthersToChargeIsToldHowLongThatMayTake) {
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  const auto page = [](const std::string& held) {
+    return R"(spec plug;
+zone hall = rectangle (0 m, 0 m) to (16 m, 10 m);
+site plug = (4 m, 5 m);
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 0.8 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  sense   battery  : ratio  error 1 %    max_age 2 s;
+  hears   other robots max_age 150 ms;
+  output  push : acceleration;
+  latency 30 ms;
+  energy  { drive <= 0.2 %/m; idle <= 0.01 %/s; drain <= 0.1 %/s; charge >= 0.05 %/s at plug; held <= )" +
+           held + R"( s; detour <= 20 m; }
+}
+fleet one, two : Bot;
+controller go   : advanced for Bot extern;
+controller way  : safe for Bot = yield within hall speed 0.3 m/s order id;
+controller home : safe for Bot = route to plug within hall speed 0.4 m/s;
+monitor apart  for r : Bot { "R1" always forall q : Bot, q != r : distance(r, q) >= 20 cm; recover way; hold when violated "staff"; }
+monitor charge for r : Bot { "R2" always r.battery >= energy_to(plug) + 8 %; recover home; return when r.battery >= 60 %; }
+monitor fence  for r : Bot { "R3" always r inside hall; recover home; }
+decision drive for Bot { advanced go; period 100 ms; priority charge > apart > fence; }
+)";
+  };
+  const std::string repair = repair_of(page("120"), "P2a", "charge");
+  // from nothing to 60 %, of the other one
+  EXPECT_EQ(repair,
+            "`held <= 1200 s` in `Bot` works: no run under attack has kept it waiting longer");
+  EXPECT_EQ(statuses(verified(page("1200"), {"--format", "json"}).out, "P2a", "charge"),
+            Statuses{"acknowledged"});
+}
+
 // Where each recovery ends its own condition holds; no place is in both zones.
 TEST_F(Repaired, ARecoveryIsOfferedTheZoneThatItsReturnAsksFor) {
   const auto page = [](const std::string& west) {
