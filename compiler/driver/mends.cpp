@@ -1,6 +1,7 @@
 #include "compiler/driver/mends.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -22,10 +23,12 @@ using verify::Obligation;
 using verify::Report;
 using verify::Status;
 
-// Each is as much work as the specification itself: so many, and none of what has taken more than
-// some 20 s (geometry/looks.h).
-constexpr std::size_t tries_most = 4;
+// Each is as much work as the specification itself: so many of an obligation, and as many of two
+// together, and none after what has taken more than some 20 s (geometry/looks.h), or so long of
+// the model checker and all else.
+constexpr std::size_t tries_most = 6;
 constexpr std::int64_t looks_most = 800'000'000;
+constexpr std::int64_t shown_us_most = 30'000'000;
 
 constexpr const char* by_runs = ": no run under attack has kept it waiting longer";
 
@@ -50,34 +53,58 @@ std::set<Key> open_of(const Report& report, bool refuted) {
   return open;
 }
 
+std::int64_t micros_of(const Report& report) {
+  std::int64_t all = 0;
+  for (const verify::Decision& d : report.decisions) {
+    for (const Obligation& o : d.obligations) all += o.micros;
+  }
+  return all;
+}
+
+// The first of each kind before the second one of any.
+std::vector<Mend> by_turns(const std::vector<Mend>& mends) {
+  std::map<std::size_t, std::size_t> of_kind;
+  std::vector<std::pair<std::size_t, const Mend*>> turns;
+  for (const Mend& mend : mends) turns.emplace_back(of_kind[mend.index()]++, &mend);
+  std::ranges::stable_sort(turns, {}, [](const auto& turn) { return turn.first; });
+  std::vector<Mend> all;
+  for (const auto& [turn, mend] : turns) all.push_back(*mend);
+  return all;
+}
+
 // What one obligation takes to be shown.
 class Mending {
  public:
   Mending(Compilation& c, const PlayAnew& play, const Report& report, const std::string& decision,
-          const Obligation& o)
+          const Obligation& o, std::int64_t& left_us)
       : c_(c),
         play_(play),
+        left_us_(left_us),
         key_(key_of(decision, o)),
         refuted_(open_of(report, true)),
         open_(open_of(report, false)) {}
 
   // In words; "": nothing that was tried mends it. One mend, or the second one that is offered of
   // what the first one leaves of it.
-  std::string run(const std::vector<Mend>& mends) {
+  std::string run(const std::vector<Mend>& offered) {
+    const std::vector<Mend> mends = by_turns(offered);
     std::vector<std::pair<const Mend*, std::vector<Mend>>> left;
     for (std::size_t k = 0; k < std::min(mends.size(), tries_most); ++k) {
       const std::string text = text_of(*c_.spec, mends[k]);
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
       if (mends_it(*anew)) return text + " works" + (by_runs_ ? by_runs : "");
-      left.emplace_back(&mends[k], leaves(*anew));
+      left.emplace_back(&mends[k], by_turns(leaves(*anew)));
     }
+    std::size_t tries = 0;
     for (const auto& [first, more] : left) {
       const std::string text = text_of(*c_.spec, *first);
       const Rewriting written(*c_.spec, *first);
-      for (std::size_t k = 0; k < std::min(more.size(), tries_most); ++k) {
+      for (std::size_t k = 0; k < more.size() && tries < tries_most; ++k) {
         const std::string besides = text_of(*c_.spec, more[k]);
-        const auto anew = besides.empty() ? std::nullopt : with(more[k]);
+        if (besides.empty()) continue;
+        ++tries;
+        const auto anew = with(more[k]);
         if (anew && mends_it(*anew)) return text + " and " + besides + " work, together";
       }
     }
@@ -86,12 +113,13 @@ class Mending {
 
  private:
   std::optional<Report> with(const Mend& mend) {
-    if (geometry::looks() - c_.looks_before > looks_most) return std::nullopt;
+    if (left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most) return std::nullopt;
     const Rewriting written(*c_.spec, mend);
     auto built = written ? build_anew(*c_.spec, c_.sources) : std::nullopt;
     if (!built) return std::nullopt;
     Report anew = verify::verify(*c_.spec, &built->module, built->tables, built->diagnostics.all(),
                                  check_model);
+    left_us_ -= micros_of(anew);
     leave_open(anew);  // no run is looked for
     if (!keeps_as_declared(anew, *built)) return std::nullopt;
     return anew;
@@ -131,6 +159,7 @@ class Mending {
 
   Compilation& c_;
   const PlayAnew& play_;
+  std::int64_t& left_us_;
   const Key key_;
   const std::set<Key> refuted_, open_;
   bool by_runs_ = false;  // what was built last was played as well
@@ -139,10 +168,11 @@ class Mending {
 }  // namespace
 
 void offer_mends(Compilation& c, const PlayAnew& play, Report& report) {
+  std::int64_t left_us = shown_us_most;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
       if (!is_open(o) || o.mends.empty()) continue;
-      std::string works = Mending(c, play, report, d.name, o).run(o.mends);
+      std::string works = Mending(c, play, report, d.name, o, left_us).run(o.mends);
       if (!works.empty()) o.repair = std::move(works);
     }
   }
