@@ -592,6 +592,47 @@ class Deriver {
         }
       }
     }
+    for (std::size_t i = 0; i < spec_.decisions.size(); ++i) {
+      for (const sema::Controller& c : spec_.controllers) price_unused(c, i);
+    }
+  }
+  [[nodiscard]] bool is_asked_for(sema::SiteId site, const sema::Decision& decision) const {
+    bool found = false;
+    const auto in = [&](const sema::Expr& e) {
+      const auto* const way = std::get_if<sema::EnergyTo>(&e.node);
+      found = found || (way != nullptr && way->site == site);
+    };
+    for (const sema::MonitorId id : decision.priority) {
+      sema::for_each_expr(*spec_[id].always, in);
+      if (spec_[id].return_when) sema::for_each_expr(*spec_[id].return_when, in);
+    }
+    return found;
+  }
+  // Of a way that no monitor has its robot driven along: what it would take, where a property asks
+  // for it, whose recovery may be accepted to break that.
+  void price_unused(const sema::Controller& c, std::size_t decision) {
+    const sema::KindId kind = spec_.decisions[decision].kind;
+    const ir::Decision& d = out_.module.decisions[decision];
+    const auto route = sema::route_of(c);
+    if (!route || c.kind != kind || !spec_[kind].energy || d.on_plan) return;
+    if (!is_asked_for(route->site, spec_.decisions[decision])) return;
+    ir::SiteTable& site = out_.module.sites[index(out_.tables.site(kind, route->site))];
+    const auto is_priced = [](const ir::SiteTable::Place& p) { return !p.cost_ppm.empty(); };
+    if (std::ranges::any_of(site.places, is_priced)) return;
+    if (route->speed.value < least_speed(spec_[kind], d.period_us)) {
+      const std::size_t cells = zone_of(site.zone).baked.cells.clearance_mm_lo.size();
+      for (ir::SiteTable::Place& p : site.places) p.cost_ppm.assign(cells, ir::no_way);
+      return;
+    }
+    std::int64_t longest_us = 0;
+    for (const ir::Monitor& m : d.monitors) {
+      longest_us = std::max(longest_us, m.lookahead.duration_us);
+    }
+    ir::Recovery way = ir::last_step(recovery(c, kind));
+    const ir::Motion along =
+        recovery_motion(spec_[kind], d.body, c.name, route->speed.value, d.period_us);
+    way.route_clearance_mm = cruise_clearance_mm(d, along, longest_us) + standoffs_of(d).fence_mm;
+    price(site, way, d, spec_[kind]);
   }
   // How long recoveries take to lead out of zones that come and go.
   void fill_windows() {

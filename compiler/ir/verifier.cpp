@@ -334,7 +334,13 @@ class Checker {
   }
   void site(SiteIndex i) {
     robot();
-    if (static_cast<std::uint32_t>(i) >= module_.sites.size()) fail("no such site");
+    if (static_cast<std::uint32_t>(i) >= module_.sites.size()) return fail("no such site");
+    const SiteTable& to = module_.sites[static_cast<std::uint32_t>(i)];
+    const std::size_t cells = module_[to.zone].cells.clearance_mm_lo.size();
+    for (std::size_t r = 0; r < to.places.size(); ++r) {
+      // what is read beyond its end is anything
+      if (to.places[to.table_of(r)].cost_ppm.size() != cells) fail("a way without a price");
+    }
   }
   void agent(AgentIndex i) {
     robot();

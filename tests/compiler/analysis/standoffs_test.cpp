@@ -145,5 +145,45 @@ TEST(Prices, OfAWayCoverTheDearestRecoveryThatDrivesIt) {
   for (std::size_t i = 0; i < prices.size(); ++i) ASSERT_GE(prices[i], least[i]) << "cell " << i;
 }
 
+// Nobody drives it, and a property asks for it: as much as when somebody does, or no way at all
+// where it is too slow for anybody to come along.
+TEST(Prices, OfAWayThatNobodyDrivesAreKnownAsWell) {
+  const auto page = [](const std::string& recovery, const std::string& mmps) {
+    return R"(spec plug;
+zone hall = rectangle (0 m, 0 m) to (20 m, 10 m);
+robot Bot {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  sense   battery  : ratio  error 1 %    max_age 2 s;
+  output  push : acceleration;
+  latency 30 ms;
+  energy  { drive <= 0.5 %/m; idle <= 0.02 %/s; drain <= 0.3 %/s; charge >= 1 %/s at plug; held <= 60 s; detour <= 5 m; }
+}
+fleet b : Bot;
+site plug = (3 m, 5 m);
+controller go   : advanced for Bot extern;
+controller home : safe for Bot = route to plug within hall speed )" +
+           mmps + R"( mm/s;
+controller stop : safe for Bot = brake_and_hold;
+monitor charge for r : Bot { "R1" always r.battery >= energy_to(plug) + 5 %; recover )" +
+           recovery + R"(; }
+decision drive for Bot { advanced go; period 100 ms; priority charge; acknowledge )" +
+           recovery + " may break charge \"staff\"; }\n";
+  };
+  const auto prices = [&](const std::string& recovery, const std::string& mmps) {
+    const auto c = without_offers(page(recovery, mmps));
+    EXPECT_TRUE(c->module) << reports(*c);
+    return c->module ? c->module->sites.at(0).places.at(0).cost_ppm : std::vector<std::int32_t>{};
+  };
+  const auto driven = prices("home", "400");
+  ASSERT_FALSE(driven.empty());
+  EXPECT_EQ(prices("stop", "400"), driven);
+  const auto slow = prices("stop", "20");
+  EXPECT_EQ(slow.size(), driven.size());
+  EXPECT_EQ(std::ranges::count(slow, ir::no_way), std::ssize(slow));
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test

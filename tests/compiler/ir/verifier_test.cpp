@@ -125,6 +125,21 @@ TEST(Verifier, TablesExist) {
             std::string::npos);
 }
 
+// A kernel reads it at the cell where a robot is, whatever is there.
+TEST(Verifier, AWayHasAPriceForEachCell) {
+  const auto of = [](std::size_t prices) {
+    BlockMaker b;
+    Module m = module_with(b.done(b.margin(EnergyReach{SiteIndex{0}, 0})));
+    m.zones[0].cells.clearance_mm_lo = {100, 200, 300};
+    m.sites[0].places.push_back({"one", 0, 0, std::vector<std::int32_t>(prices)});
+    return verify(m).value_or("");
+  };
+  EXPECT_EQ(of(3), "");
+  for (const std::size_t few : {0, 2}) {
+    EXPECT_NE(of(few).find("a way without a price"), std::string::npos) << of(few);
+  }
+}
+
 TEST(Verifier, SchedulesExistAndLookForward) {
   BlockMaker b;
   EXPECT_NE(problem_of(b.done(b.margin(ZoneThere{ScheduleIndex{0}}))).find("no such schedule"),
