@@ -61,7 +61,8 @@ struct Sought {
   Obligation* of;
   std::vector<Scenario> scenarios;
   bool tried = false, cut = false;
-  std::string run{};  // the file of the one that shows it
+  std::string run{};      // the file of the one that shows it
+  std::string refused{};  // why the simulator has not played one
   // The surest first: an argument refutes it; a run does, which is likely; or perhaps.
   [[nodiscard]] int rank() const {
     if (of->in_turns || of->declared) return 2;
@@ -119,9 +120,10 @@ class Showing {
       if (!each.run.empty()) {
         keep(each.run, *each.of);
       } else if (each.rank() < 2) {  // else nothing is claimed: no robot may have the model's run
-        each.of->not_shown = !each.tried ? "the time was up"
-                             : each.cut  ? "no run under attack has shown it until the time was up"
-                                         : "no run under attack has shown it";
+        each.of->not_shown = !each.refused.empty() ? each.refused
+                             : !each.tried         ? "the time was up"
+                             : each.cut ? "no run under attack has shown it until the time was up"
+                                        : "no run under attack has shown it";
       }
     }
   }
@@ -162,11 +164,16 @@ class Showing {
     const double took_s = core_seconds_of_children() - begin_s;
     left_s_ -= took_s;
     if (shown_ > 0 && sought.rank() > 0) besides_s_ -= took_s;
+    if (status != exit_violation && status != exit_clean) sought.refused = why_not_played();
     if (status != exit_violation) return played(table);
     if (!shows(trace, scenario, *sought.of)) return played_up_to(trace, scenario);
     sought.run = trace;
     ++shown_;
     return std::nullopt;
+  }
+  [[nodiscard]] std::string why_not_played() const {
+    if (!c_.internal_error.empty()) return c_.internal_error;
+    return c_.diagnostics.all().empty() ? "" : c_.diagnostics.all().back().message;
   }
   // Of robots that wait for each other, only what nobody else has a part in.
   static bool shows(const std::string& trace, const Scenario& scenario, const Obligation& o) {

@@ -63,6 +63,7 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
     show(options, simulator, aside, report);
   }
   c.spec = std::move(aside.spec);
+  c.internal_error = std::move(aside.internal_error);  // what has failed shows nothing
   if (options.mutant.empty() || built != exit_usage) return exit_clean;
   return refuse_mutant(options, c);
 }

@@ -269,6 +269,17 @@ decision drive for Tug {
   EXPECT_TRUE(found) << o.out;
 }
 
+// Nobody is told that no run has shown it.
+TEST_F(InFolder, ASimulatorThatFailsIsAnInternalError) {
+  write("sim.sh", "#!/bin/sh\nkill -BUS $$\n");
+  fs::permissions("sim.sh", fs::perms::owner_all);
+  ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
+  const Outcome o = rtac({"verify", folder() + "strays.rta"});
+  EXPECT_EQ(o.status, exit_internal) << o.out << o.err;
+  EXPECT_NE(o.out.find("not shown: the simulator has failed"), std::string::npos) << o.out;
+  EXPECT_NE(o.err.find("internal error: the simulator has failed"), std::string::npos) << o.err;
+}
+
 // A simulator whose trace is longer than what is read again: what it has shown is shown.
 class Unrecorded : public InFolder {
  protected:
