@@ -24,6 +24,13 @@ std::optional<ir::ZoneIndex> fence_of(const ir::Block& block, ir::ValueId id,
   return ir::ZoneIndex{bound->leaf.table};
 }
 
+std::optional<std::int64_t> speed_limit_of(const ir::Block& block, ir::ValueId id) {
+  const auto* compare = std::get_if<ir::AtLeast>(&block[id].op);
+  const auto most = compare ? ir::upper_bound(block, *compare) : std::nullopt;
+  if (!most || most->leaf.kind != Leaf::Kind::speed) return std::nullopt;
+  return most->most;
+}
+
 void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
              std::vector<ir::ZoneIndex>& zones) {
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
@@ -34,37 +41,40 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   if (const auto zone = fence_of(block, id, params)) add(zones, *zone);
 }
 
-// False: a branch is neither a zone nor apart from the robot.
+// False: a branch is neither a zone nor apart from the robot, nor a limit of speed that is below
+// `rest_mmps`, which nobody is seen to keep.
 bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
-              Choice& choice) {
-  if (const auto* v = std::get_if<ir::Or>(&block[id].op)) {
-    return branches(block, v->a, params, choice) && branches(block, v->b, params, choice);
-  }
+              std::int64_t rest_mmps, Choice& choice) {
+  const auto is_branch = [&](ir::ValueId side) {
+    return branches(block, side, params, rest_mmps, choice);
+  };
+  if (const auto* v = std::get_if<ir::Or>(&block[id].op)) return is_branch(v->a) && is_branch(v->b);
   // of a zone that is there at times: where it may be, at the best
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
     const auto there = [&](ir::ValueId side) {
       return std::holds_alternative<ir::ZoneThere>(block[side].op);
     };
-    if (there(v->a)) return branches(block, v->b, params, choice);
-    return there(v->b) && branches(block, v->a, params, choice);
+    if (there(v->a)) return is_branch(v->b);
+    return there(v->b) && is_branch(v->a);
   }
   const auto* negated = std::get_if<ir::Not>(&block[id].op);
   if (std::holds_alternative<ir::Fact>(block[negated ? negated->a : id].op)) {
     return true;
   }
+  if (const auto most = speed_limit_of(block, id)) return *most < rest_mmps;
   const auto zone = fence_of(block, id, params);
   if (zone) add(choice, *zone);
   return zone.has_value();
 }
 
 void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
-             std::vector<Choice>& choices) {
+             std::int64_t rest_mmps, std::vector<Choice>& choices) {
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
-    collect(block, v->a, params, choices);
-    collect(block, v->b, params, choices);
+    collect(block, v->a, params, rest_mmps, choices);
+    collect(block, v->b, params, rest_mmps, choices);
   } else if (std::holds_alternative<ir::Or>(block[id].op)) {
     Choice choice;
-    if (branches(block, id, params, choice) && !choice.empty()) {
+    if (branches(block, id, params, rest_mmps, choice) && !choice.empty()) {
       choices.push_back(std::move(choice));
     }
   }
@@ -72,7 +82,7 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
 
 // What each value of a property speaks of.
 struct Spoken {
-  bool inputs = false, places = false;
+  bool inputs = false, places = false, own_speed = false;
 };
 std::vector<Spoken> spoken_of(const ir::Block& block) {
   std::vector<Spoken> all;
@@ -90,28 +100,56 @@ std::vector<Spoken> spoken_of(const ir::Block& block) {
                  std::holds_alternative<ir::ForOthers>(op) ||
                  std::holds_alternative<ir::CountOthers>(op) ||
                  std::holds_alternative<ir::ReceivedClearance>(op);
+    own.own_speed = std::holds_alternative<ir::Speed>(op);
     if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
       const Spoken of = spoken_of(*others->body)[static_cast<std::size_t>(others->body->result)];
       own.inputs = own.inputs || of.inputs;
+      own.own_speed = own.own_speed || of.own_speed;
     }
     ir::for_each_operand(op, [&](const ir::ValueId id) {
       const Spoken& of = all[static_cast<std::size_t>(id)];
       own.inputs = own.inputs || of.inputs;
       own.places = own.places || of.places;
+      own.own_speed = own.own_speed || of.own_speed;
     });
     all.push_back(own);
   }
   return all;
 }
+// Whether it holds where others are far and the battery is full, which is how it is where control
+// is given back.
+bool holds_far(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return holds_far(block, v->a) && holds_far(block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return holds_far(block, v->a) || holds_far(block, v->b);
+  }
+  if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
+    return others->universal && holds_far(*others->body, others->body->result);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return false;
+  const auto terms = ir::linear_form(block, *compare).terms;
+  return !terms.empty() && std::ranges::all_of(terms, [](const auto& term) {
+    const Leaf::Kind kind = term.first.kind;
+    return kind == Leaf::Kind::battery || kind == Leaf::Kind::energy_to ||
+           kind == Leaf::Kind::distance || kind == Leaf::Kind::agent || kind == Leaf::Kind::count;
+  });
+}
 bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
-             const std::vector<Spoken>& spoken) {
+             const AtRest& at_rest, const std::vector<Spoken>& spoken) {
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
-    return settled(block, v->a, params, spoken) && settled(block, v->b, params, spoken);
+    return settled(block, v->a, params, at_rest, spoken) &&
+           settled(block, v->b, params, at_rest, spoken);
   }
   const Spoken& of = spoken[static_cast<std::size_t>(id)];
-  if (!of.inputs || !of.places) return true;
+  if (!of.places || (!of.inputs && !of.own_speed)) return true;
+  if (!of.inputs && holds_far(block, id)) return true;
   Choice choice;
-  return branches(block, id, params, choice);
+  return at_rest.holds(id) ||
+         (branches(block, id, params, at_rest.mmps, choice) && !choice.empty());
 }
 
 // Whether a side of an `or` counts while inputs say so, and not otherwise.
@@ -210,13 +248,15 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
   return zones;
 }
 
-bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params) {
-  return settled(property, property.result, params, spoken_of(property));
+bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params,
+                   const AtRest& at_rest) {
+  return settled(property, property.result, params, at_rest, spoken_of(property));
 }
 
-std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params) {
+std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params,
+                               std::int64_t rest_mmps) {
   std::vector<Choice> choices;
-  collect(property, property.result, params, choices);
+  collect(property, property.result, params, rest_mmps, choices);
   return choices;
 }
 

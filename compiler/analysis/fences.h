@@ -1,6 +1,8 @@
 // Which zones a property keeps a robot in.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "compiler/analysis/standoffs.h"
@@ -17,10 +19,19 @@ std::vector<ir::ZoneIndex> fences_of(const ir::Block& property,
 // The zones of the branches of an `or`, each once, at least one: one of them holds the robot
 // wherever the property holds, or what it has no part in does.
 using Choice = std::vector<ir::ZoneIndex>;
-std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params);
-// Whether inputs stand beside places in nothing but such an `or`: where one of its zones holds the
-// robot it is true, whatever inputs are.
-bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params);
+// `rest_mmps`: a limit of speed below that counts as none of them, as nobody is seen to keep it.
+std::vector<Choice> choices_of(const ir::Block& property, const std::vector<ir::Param>& params,
+                               std::int64_t rest_mmps = 0);
+// A robot that stands, as the look-ahead sees it.
+struct AtRest {
+  std::int64_t mmps = 0;                   // as fast as it may become
+  std::function<bool(ir::ValueId)> holds;  // so slow, wherever it is, and whatever it is told
+};
+// Whether inputs and limits of its own speed stand beside places in nothing but such an `or`, which
+// is true where one of its zones holds the robot, whatever inputs are, or in what is true of a
+// robot at rest wherever it is.
+bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params,
+                   const AtRest& at_rest);
 
 // What a robot surely has wherever the property holds, whatever its parameters become: of each
 // entry it is in at least one of the zones, body and all, and so far from its boundary.

@@ -375,10 +375,12 @@ class Recoveries {
     if (is_boundless(module_[last.zone])) return boundless(last);
     const Ways ways = ways_of(module_, decision_, last);
     // of what is only tried, and nobody reads, none may be left, or P2b of it is not proved
-    const std::vector<Stranded> shut = shut_off(module_[last.zone].cells, last, ways);
     const bool is_read = trials_ != nullptr;
-    if (is_read && !shut.empty() && shut.front().cells >= stranded_cells_least) {
-      return no_way(last, shut, true);
+    if (is_read) {
+      const std::vector<Stranded> shut = shut_off(module_[last.zone].cells, last, ways);
+      if (!shut.empty() && shut.front().cells >= stranded_cells_least) {
+        return no_way(last, shut, true);
+      }
     }
     // a few cells that no way leads from may be all that is seen of a passage that is too narrow
     if ((is_read || ways.stranded.empty()) && too_narrow(last)) return;

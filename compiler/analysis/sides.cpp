@@ -137,6 +137,40 @@ bool has_slow_side(const ir::Module& module, const ir::Decision& decision, std::
          asks_for_slow(module, decision, block, either.b, mmps);
 }
 
+namespace {
+
+// Whether it speaks of a kind of signals.
+bool speaks_of(const ir::Block& block, ir::ValueId id, ir::Leaf::Kind kind) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return speaks_of(block, v->a, kind) || speaks_of(block, v->b, kind);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return speaks_of(block, v->a, kind) || speaks_of(block, v->b, kind);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return false;
+  const auto terms = ir::linear_form(block, *compare).terms;
+  return std::ranges::any_of(terms, [&](const auto& term) { return term.first.kind == kind; });
+}
+
+}  // namespace
+
+bool sets_out_faster(const ir::Module& module, const ir::Decision& decision, std::size_t k,
+                     const ir::Block& block, ir::ValueId id) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    return sets_out_faster(module, decision, k, block, v->a) ||
+           sets_out_faster(module, decision, k, block, v->b);
+  }
+  const auto* either = std::get_if<ir::Or>(&block[id].op);
+  if (either == nullptr || !speaks_of(block, id, ir::Leaf::Kind::clearance) ||
+      !speaks_of(block, id, ir::Leaf::Kind::speed)) {
+    return false;
+  }
+  return !has_slow_side(module, decision, k, block, *either) &&
+         !asks_for_slow(module, decision, block, id, fastest_while_driving(decision, k));
+}
+
 std::vector<ir::ZoneIndex> sides_in_zones(const ir::Module& module, const ir::Decision& decision,
                                           const ir::Block& block, ir::ValueId id) {
   std::vector<ir::ZoneIndex> zones;

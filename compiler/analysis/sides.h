@@ -13,6 +13,11 @@ namespace rtac::analysis {
 bool asks_for_slow(const ir::Module& module, const ir::Decision& decision, const ir::Block& block,
                    ir::ValueId id, std::int64_t mmps);
 
+// Whether some `or` of zones and of its own speed holds, outside of those zones, of a robot that is
+// too slow for the recovery of monitor `k`: there it would set out faster than that allows.
+bool sets_out_faster(const ir::Module& module, const ir::Decision& decision, std::size_t k,
+                     const ir::Block& block, ir::ValueId id);
+
 // Whether one side of an `or` does, as slow as the recovery of monitor `k` drives. Its brake makes
 // the robot no faster: what held until it stands goes on to hold then, but where inputs change what
 // is asked, to which the brake is the answer.

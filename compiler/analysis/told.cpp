@@ -55,9 +55,9 @@ using Box = std::map<Name, Span>;
 class Reader {
  public:
   // `stays`: inputs are what they are for ever, so that the past is as now; else they have been
-  // anything in `ever`. `rests`: robots keep every limit of their speed.
-  Reader(const sema::Spec& spec, const Box& box, const Box& ever, bool stays, bool rests)
-      : spec_(spec), box_(box), ever_(ever), stays_(stays), rests_(rests) {}
+  // anything in `ever`.
+  Reader(const sema::Spec& spec, const Box& box, const Box& ever, bool stays)
+      : spec_(spec), box_(box), ever_(ever), stays_(stays) {}
 
   // `suits`: what anything is that inputs do not decide.
   [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
@@ -130,23 +130,18 @@ class Reader {
     const Truth3 now = truth(e, suits);
     if (stays_) return now;
     const Truth3 end = all ? Truth3::yes : Truth3::no;  // what nothing is, too
-    if (Reader(spec_, ever_, ever_, false, rests_).truth(e, suits) == end) return end;
+    if (Reader(spec_, ever_, ever_, false).truth(e, suits) == end) return end;
     return with_now && now == negated(end) ? now : Truth3::open;
   }
 
   [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
+    const Number a = number(*v.left), b = number(*v.right);
+    if (!a || !b) return from(suits);
     const bool strictly = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
     const bool is_least = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
-    const Number a = number(*v.left), b = number(*v.right);
-    if (rests_ && is_least && is_own_speed(*v.left) && b && sgn(b->lo) > 0) return Truth3::yes;
-    if (!a || !b) return from(suits);
     const Truth3 found = is_least ? ordered(*a, *b, strictly) : ordered(*b, *a, strictly);
     // how old it is, within what is declared, is as it suits
     return found == Truth3::open && (is_age(*v.left) || is_age(*v.right)) ? from(suits) : found;
-  }
-  static bool is_own_speed(const sema::Expr& e) {
-    const auto* const v = std::get_if<sema::SignalRef>(&e.node);
-    return v != nullptr && v->signal == sema::Signal::speed && v->subject == sema::Subject::self;
   }
   static bool is_age(const sema::Expr& e) { return std::holds_alternative<sema::AgeOf>(e.node); }
   static Truth3 ordered(const Span& a, const Span& b, bool strictly) {
@@ -249,7 +244,7 @@ class Reader {
   const sema::Spec& spec_;
   const Box& box_;
   const Box& ever_;
-  bool stays_, rests_;
+  bool stays_;
 };
 
 struct Said {
@@ -259,15 +254,15 @@ struct Said {
 
 class Search {
  public:
-  Search(const sema::Spec& spec, std::vector<Said> all, bool value, ToldHow how, bool rests = false)
-      : spec_(spec), all_(std::move(all)), value_(value), how_(how), rests_(rests) {
+  Search(const sema::Spec& spec, std::vector<Said> all, bool value, ToldHow how)
+      : spec_(spec), all_(std::move(all)), value_(value), how_(how) {
     for (const Said& each : all_) collect(*each.property);
   }
 
   Told run() {
     if (variables_.empty()) {
       const Box none;
-      const bool is = truth(Reader(spec_, none, none, true, rests_)) == from(value_);
+      const bool is = truth(Reader(spec_, none, none, true)) == from(value_);
       return {is ? CanBeTold::yes : CanBeTold::open, {}};
     }
     for (const auto& [name, variable] : variables_) {
@@ -342,7 +337,7 @@ class Search {
   [[nodiscard]] bool is_out(const Box& box, bool stays) const {
     const Truth3 other = from(!value_);
     const auto reads = [&](const Box& of) {
-      return truth(Reader(spec_, of, stays ? of : ever_, stays, rests_));
+      return truth(Reader(spec_, of, stays ? of : ever_, stays));
     };
     if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
@@ -367,7 +362,7 @@ class Search {
       const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
       span = {Rational(span.lo - by), Rational(span.hi + by)};
     }
-    return truth(Reader(spec_, seen, seen, true, rests_)) == from(value_);
+    return truth(Reader(spec_, seen, seen, true)) == from(value_);
   }
   // Of several, that each of them is as it is asked to be.
   [[nodiscard]] Truth3 truth(const Reader& reader) const {
@@ -435,7 +430,6 @@ class Search {
   const std::vector<Said> all_;
   bool value_;
   ToldHow how_;
-  bool rests_;
   Box ever_;  // whatever is measured
   bool looks_back_ = false;
   Variables variables_;
@@ -452,10 +446,6 @@ Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
   for (const sema::Expr* each : all) asked.push_back({each, true});
   for (const sema::Expr* each : whatever_is_sensed) asked.push_back({each, false});
   return Search(spec, std::move(asked), true, ToldHow::seen).run();
-}
-bool rests_whatever_told(const sema::Spec& spec, const sema::Expr& property) {
-  Search fails(spec, {{&property, false}}, false, ToldHow::exactly, true);
-  return fails.run().can == CanBeTold::no;
 }
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e) {
   std::set<sema::InputId> all;

@@ -33,9 +33,6 @@ Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, 
 // whatever robots sense.
 Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
                   const std::vector<const sema::Expr*>& whatever_is_sensed = {});
-// Whether it is true of a robot at rest wherever that is, whatever inputs are; that the robot is
-// slow enough then is not asked.
-bool rests_whatever_told(const sema::Spec& spec, const sema::Expr& property);
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
 // The inputs that an `or` speaks of beside what robots sense: either may make it true.

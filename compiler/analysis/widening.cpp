@@ -190,7 +190,7 @@ std::optional<std::string> distance_that_works(Trials& trials, ir::ZoneIndex tab
     distance = written;
     if (is.empty()) {
       return std::string("`") + (shrinks ? "shrink" : "grow") + "` by at most " + metres(*mm) +
-             " in its expression works";
+             " in its expression works" + trials.leaves(dial.name, *mm, fault);
     }
     return "`" + is + "` in place of `" + was + "` works" + trials.leaves(dial.name, *mm, fault);
   }

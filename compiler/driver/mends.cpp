@@ -30,8 +30,6 @@ constexpr std::size_t tries_most = 6;
 constexpr std::int64_t looks_most = 800'000'000;
 constexpr std::int64_t shown_us_most = 30'000'000;
 
-constexpr const char* by_runs = ": no run under attack has kept it waiting longer";
-
 bool is_open(const Obligation& o) {
   return o.status != Status::proved && o.status != Status::acknowledged;
 }
@@ -93,7 +91,7 @@ class Mending {
       const std::string text = text_of(*c_.spec, mends[k]);
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
-      if (mends_it(*anew)) return text + " works" + (by_runs_ ? by_runs : "");
+      if (mends_it(*anew)) return text + " works" + as_played();
       left.emplace_back(&mends[k], by_turns(leaves(*anew)));
     }
     std::size_t tries = 0;
@@ -131,11 +129,16 @@ class Mending {
       for (const Obligation& o : d.obligations) {
         if (key_of(d.name, o) != key_ || !o.declared) continue;
         Report alone{anew.spec, {{d.name, d.kind, {o}, {}}}};
-        by_runs_ = play_(built, alone);
-        return by_runs_ && !is_open(alone.decisions.front().obligations.front());
+        play_(built, alone);
+        const Obligation& played = alone.decisions.front().obligations.front();
+        by_runs_ = played.played;
+        return by_runs_ && !is_open(played);
       }
     }
     return true;
+  }
+  [[nodiscard]] std::string as_played() const {
+    return by_runs_ ? ": no run under attack has made `" + std::get<2>(key_) + "` fail" : "";
   }
   // It is shown, and nothing is open, or refuted, that was not.
   [[nodiscard]] bool mends_it(const Report& anew) const {

@@ -9,12 +9,12 @@
 namespace rtac::driver {
 
 // Plays what runs alone can refute of a report, as `rtac verify` does, of a specification that was
-// built anew. false: it cannot be simulated.
-using PlayAnew = std::function<bool(BuiltAnew& built, verify::Report& report)>;
+// built anew.
+using PlayAnew = std::function<void(BuiltAnew& built, verify::Report& report)>;
 
-// Of each obligation that is not shown: tries what may mend it, one by one, each by building and
-// verifying the specification anew, and offers the first one with which nothing is left that was
-// not left without it. Asks the model checker.
+// Of each obligation that is not shown: tries what may mend it, one by one, and two together, by
+// building and verifying the specification anew, and offers the first with which nothing is left
+// that was not left without it. Asks the model checker, and of what is declared plays runs.
 void offer_mends(Compilation& c, const PlayAnew& play, verify::Report& report);
 
 }  // namespace rtac::driver

@@ -152,10 +152,10 @@ Undo rewritten(sema::Spec& spec, const SlowerRecovery& slower) {
     }
   });
 }
-// "a speed of `home` of at most 0.44 m/s"
+// "a speed of `home` of 0.44 m/s"
 std::string text(const sema::Spec&, const SlowerRecovery& slower) {
-  return "a speed of `" + slower.recovery + "` of at most " +
-         to_decimal(analysis::metres_of(slower.mmps)) + " m/s";
+  return "a speed of `" + slower.recovery + "` of " + to_decimal(analysis::metres_of(slower.mmps)) +
+         " m/s";
 }
 // The zone that is asked for, if it has a name.
 std::optional<sema::ZoneId> named_zone(const sema::Spec& spec, const OtherZone& other) {
@@ -165,8 +165,21 @@ std::optional<sema::ZoneId> named_zone(const sema::Spec& spec, const OtherZone& 
   if (!whole || spec[part.either.front()].name.empty()) return std::nullopt;
   return part.either.front();
 }
+// Ways over cells are of the plane, and so is what lies in a frame of its own.
+bool can_move_within(const sema::Spec& spec, const OtherZone& other, const sema::Zone& zone) {
+  if (zone.has_height && zone.frame != sema::map_frame) return false;
+  const auto recovery =
+      std::ranges::find(spec.controllers, other.recovery, &sema::Controller::name);
+  if (recovery == spec.controllers.end()) return false;
+  const auto steps = sema::templates_of(*recovery);
+  return !zone.has_height || std::ranges::none_of(steps, [](const sema::Template& what) {
+    return std::holds_alternative<sema::Route>(what) || std::holds_alternative<sema::Yield>(what);
+  });
+}
 Undo rewritten(sema::Spec& spec, const OtherZone& other) {
   const auto known = named_zone(spec, other);
+  sema::Zone zone = analysis::common_zone(spec, other.from, other.parts);
+  if (!can_move_within(spec, other, known ? spec[*known] : zone)) return {};
   const sema::ZoneId next{static_cast<std::uint32_t>(spec.zones.size())};
   const Undo undo = changed(spec, other.recovery, [&](auto& each) {
     if constexpr (requires { each.zone; }) {
@@ -174,7 +187,7 @@ Undo rewritten(sema::Spec& spec, const OtherZone& other) {
     }
   });
   if (!undo || known) return undo;
-  spec.zones.push_back(analysis::common_zone(spec, other.from, other.parts));
+  spec.zones.push_back(std::move(zone));
   return [&spec, undo] {
     undo();
     spec.zones.pop_back();

@@ -117,6 +117,7 @@ class Showing {
       for (Sought* each : order) attack(*each, most_s);
     }
     for (Sought& each : all_) {
+      each.of->played = each.tried && each.refused.empty();
       if (!each.run.empty()) {
         keep(each.run, *each.of);
       } else if (each.rank() < 2) {  // else nothing is claimed: no robot may have the model's run

@@ -41,47 +41,63 @@ bool asks_for_runs(const verify::Report& report) {
   return false;
 }
 
+// The specification of one compilation is another one's for as long as this is there.
+class Lent {
+ public:
+  Lent(Compilation& from, Compilation& to) : from_(from), to_(to) {
+    to.spec = std::move(from.spec);
+  }
+  Lent(const Lent&) = delete;
+  Lent& operator=(const Lent&) = delete;
+  // what has failed shows nothing
+  ~Lent() {
+    from_.spec = std::move(to_.spec);
+    if (from_.internal_error.empty()) from_.internal_error = std::move(to_.internal_error);
+  }
+
+ private:
+  Compilation &from_, &to_;
+};
+
 // What takes robots in motion: how conservative monitors are, and runs that show what is refuted.
 // What cannot be simulated is nothing that the user has done wrong, but for mutants that are none.
 int simulate_findings(const Options& options, Compilation& c, verify::Report& report) {
   Compilation aside;
-  aside.spec = std::move(c.spec);
   aside.module = std::move(c.module);
   aside.tables = c.tables;
-  Simulator simulator;
-  const int built = simulator.build(options, aside);
-  if (options.conservatism) {
-    if (built == exit_clean) {
-      measure_conservatism(simulator, aside, report);
-    } else {
-      leave_unmeasured(report, aside.diagnostics.all().front().message);
+  int built = exit_clean;
+  {
+    const Lent lent(c, aside);
+    Simulator simulator;
+    built = simulator.build(options, aside);
+    if (options.conservatism) {
+      if (built == exit_clean) {
+        measure_conservatism(simulator, aside, report);
+      } else {
+        leave_unmeasured(report, aside.diagnostics.all().front().message);
+      }
+    }
+    if (built != exit_clean) {
+      leave_unshown(report, aside.diagnostics.all().front().message);
+    } else if (verify::worst(report) == verify::Status::refuted || asks_for_runs(report)) {
+      show(options, simulator, aside, report);
     }
   }
-  if (built != exit_clean) {
-    leave_unshown(report, aside.diagnostics.all().front().message);
-  } else if (verify::worst(report) == verify::Status::refuted || asks_for_runs(report)) {
-    show(options, simulator, aside, report);
-  }
-  c.spec = std::move(aside.spec);
-  c.internal_error = std::move(aside.internal_error);  // what has failed shows nothing
   if (options.mutant.empty() || built != exit_usage) return exit_clean;
   return refuse_mutant(options, c);
 }
 
 // Of what was tried nothing is kept.
-bool play_anew(const Options& options, Compilation& c, BuiltAnew& built, verify::Report& report) {
+void play_anew(const Options& options, Compilation& c, BuiltAnew& built, verify::Report& report) {
   const TemporaryFolder folder;
   Options trial = options;
   trial.output = folder.path();
   Compilation aside;
-  aside.spec = std::move(c.spec);
   aside.module = std::move(built.module);
   aside.tables = built.tables;
+  const Lent lent(c, aside);
   Simulator simulator;
-  const bool can = simulator.build(trial, aside) == exit_clean;
-  if (can) show(trial, simulator, aside, report);
-  c.spec = std::move(aside.spec);
-  return can;
+  if (simulator.build(trial, aside) == exit_clean) show(trial, simulator, aside, report);
 }
 
 }  // namespace
@@ -100,7 +116,7 @@ int verify(const Options& options, Compilation& c, std::ostream& out) {
   leave_open(report);
   if (c.module) {
     offer_mends(
-        c, [&](auto& built, auto& anew) { return play_anew(options, c, built, anew); }, report);
+        c, [&](auto& built, auto& anew) { play_anew(options, c, built, anew); }, report);
   }
   worst = verify::worst(report);
   if (!options.output.empty() && report.complete) {

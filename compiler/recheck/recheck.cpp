@@ -19,7 +19,6 @@
 #include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
-#include "compiler/recheck/whatever_told.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -321,27 +320,41 @@ class Check {
     if (said.size() > 1) fail(whom(d, e) + ": inputs are said to be several things at once");
     return said.empty() ? nullptr : said.front();
   }
-  // What a monitor says is true in these zones, with inputs as they are said to be.
+  // What a monitor says is true in these zones of a robot at rest, with inputs as they are said to
+  // be. Of what speaks of none, others are far.
   void in_its_zones(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
                     const Claim* told, const std::set<std::string>& zones) {
     one_side_each(d, e, m, zones);
     const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
     if (!inputs) return;  // the claim is wrong
-    const auto may_be = [&](const sema::Expr& part, bool value) {
-      if (!spoken_of(spec_, part).empty()) return told == nullptr;
-      const auto asked = all_zones(part);
-      const bool missed = !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
-        return zones.contains(claims_.zones().name(zone));
-      });
-      return !value && (missed || judges_robots(spec_, d, part));
-    };
+    const Rational extra = return_extra(spec_, d);
     for_each_part(*m.always, [&](const sema::Expr& part) {
+      const bool asks_inputs = !spoken_of(spec_, part).empty();
       const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
-      if (spoken_of(spec_, part).empty() || !of_places) return;
+      if (!of_places || (!asks_inputs && !has_own_limit(part))) return;
+      const auto may_be = [&](const sema::Expr& leaf, bool value) {
+        if (!spoken_of(spec_, leaf).empty()) return told == nullptr;
+        const auto asked = all_zones(leaf);
+        const bool missed = !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
+          return zones.contains(claims_.zones().name(zone));
+        });
+        const bool near = asks_inputs && judges_robots(spec_, d, leaf);
+        return !value &&
+               (missed || near || Sides(spec_, d, claims_).is_exceeded_at_rest(leaf, m, extra));
+      };
       if (told_makes_true_but(spec_, part, *inputs, may_be)) return;
-      if (true_whatever_told(spec_, part, may_be)) return;
+      if (Sides(spec_, d, claims_).holds_at_rest(part, m, extra)) return;
       fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
     });
+  }
+  // One of its own speed.
+  static bool has_own_limit(const sema::Expr& part) {
+    bool found = false;
+    sema::for_each_expr(part, [&](const sema::Expr& leaf) {
+      const auto* const v = std::get_if<sema::SignalRef>(&leaf.node);
+      found = found || (v != nullptr && v->signal == sema::Signal::speed);
+    });
+    return found;
   }
   // Each part of an `and`.
   template <class Visit>
@@ -490,6 +503,11 @@ class Check {
       }
     }
     for (const sema::ZoneId inner : moves) {
+      if (asked.faster && !sema::claim_of(recovery) &&
+          !starts_within(spec_, d, claims_, m, inner)) {
+        fail(whom(d, e) + ": from outside of `" + claims_.zones().name(inner) + "` `" +
+             recovery.name + "` may set out faster than `" + m.name + "` allows");
+      }
       if (asked.by_sides) {
         need(d, e, "sides",
              {{"controller", recovery.name},

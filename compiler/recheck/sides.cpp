@@ -32,6 +32,28 @@ std::optional<Rational> most_speed(const sema::Expr& e, bool value, bool& strict
   return most->value;
 }
 
+// That one comparison says what the other one denies: `a <= b` and `a > b`, or `b < a`.
+bool denies(const sema::Expr& one, const sema::Expr& other) {
+  const auto* const a = std::get_if<sema::Compare>(&one.node);
+  const auto* const b = std::get_if<sema::Compare>(&other.node);
+  if (a == nullptr || b == nullptr) return false;
+  using Op = sema::CompareOp;
+  // as `low < high`, or `low <= high`
+  struct Ordered {
+    const sema::Expr *low, *high;
+    bool strict;
+  };
+  const auto ordered = [](const sema::Compare& c) {
+    const bool at_most = c.op == Op::less || c.op == Op::less_equal;
+    const bool strict = c.op == Op::less || c.op == Op::greater;
+    return at_most ? Ordered{c.left.get(), c.right.get(), strict}
+                   : Ordered{c.right.get(), c.left.get(), strict};
+  };
+  const Ordered x = ordered(*a), y = ordered(*b);
+  return x.strict != y.strict && sema::same_value(*x.low, *y.high) &&
+         sema::same_value(*x.high, *y.low);
+}
+
 }  // namespace
 
 Sides::Sides(const sema::Spec& spec, const sema::Decision& decision, Claims& claims)
@@ -106,6 +128,7 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
     asked.windows = true;
     return;
   }
+  if (parts.any && is_faster(recovery, part)) asked.faster = true;
   if (parts.any && keeps_a_side(recovery, part, parts)) {
     asked.by_sides = true;
     if (is_slow(recovery, parts)) return;
@@ -118,6 +141,17 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
     return;
   }
   for (const sema::ZoneId zone : all_zones(*part.expr)) asked.zones.push_back(zone);
+}
+
+bool Sides::is_faster(const sema::Controller& recovery, const Part& part) {
+  if (all_zones(*part.expr).empty()) return false;
+  bool limits = false;
+  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    limits = limits || (signal != nullptr && signal->signal == sema::Signal::speed);
+  });
+  const auto speed = claimed_speed_of(recovery);
+  return limits && !(speed && (slow_side(part, *speed) || slow(part, *speed)));
 }
 
 bool Sides::straight_between(const std::vector<std::vector<sema::ZoneId>>& either) {
@@ -244,6 +278,7 @@ bool Sides::slow(const Part& part, const Rational& speed, Told& told) {
 std::optional<bool> Sides::as_told(const Part& part, const Told& told) {
   for (const auto& [expr, value] : told) {
     if (sema::same_value(*expr, *part.expr)) return value == part.value;
+    if (denies(*expr, *part.expr)) return value != part.value;
   }
   return std::nullopt;
 }
@@ -329,6 +364,15 @@ bool Sides::gives_back(const sema::Monitor& m, const Rational& extra) {
 
 bool Sides::holds_at_rest(const sema::Monitor& m, const Rational& extra) {
   return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_rest);
+}
+
+bool Sides::holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra) {
+  return slow(plain({&part, true}), rests_of(m, extra).from_rest);
+}
+
+bool Sides::is_exceeded_at_rest(const sema::Expr& part, const sema::Monitor& m,
+                                const Rational& extra) {
+  return waits(plain({&part, true}), rests_of(m, extra).from_rest);
 }
 
 Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) const {

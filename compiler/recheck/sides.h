@@ -10,12 +10,13 @@ namespace rtac::recheck {
 
 // What a recovery has to stay in to keep a property; `by_sides`: some `or` is kept as one side of
 // it always holds, whose zones are none of these, but those of `either`, of each `or` of which no
-// side asks for no more than to be slow; `windows`: some part speaks of zones that come and go,
-// which is a matter of leading out (leaving.h).
+// side asks for no more than to be slow; `faster`: some `or` of zones and speeds holds of a robot
+// that is slower than the recovery, wherever that is; `windows`: some part speaks of zones that
+// come and go, which is a matter of leading out (leaving.h).
 struct Keeping {
   std::vector<sema::ZoneId> zones;
   std::vector<std::vector<sema::ZoneId>> either;
-  bool by_sides = false, windows = false;
+  bool by_sides = false, faster = false, windows = false;
 };
 
 class Sides {
@@ -41,6 +42,10 @@ class Sides {
   bool gives_back(const sema::Monitor& m, const Rational& extra);
   // The same wherever it has come to rest, and whatever others do.
   bool holds_at_rest(const sema::Monitor& m, const Rational& extra);
+  // The same of a part of what it says.
+  bool holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
+  // That this is a limit of speed that a robot at rest is seen to exceed, as far as it looks ahead.
+  bool is_exceeded_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
   // That a recovery is slow enough for a property of speeds and inputs alone, but where inputs ask
   // for so little speed that a robot at rest stays there until they change.
   bool keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,
@@ -60,6 +65,7 @@ class Sides {
   static std::optional<Part> of_each(const Part& part);
   static bool speaks_of_inputs(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
+  bool is_faster(const sema::Controller& recovery, const Part& part);
   bool is_slow(const sema::Controller& recovery, const Split& parts);
   bool keeps_a_side(const sema::Controller& recovery, const Part& part, const Split& parts);
   // How fast a recovery truly drives; nullopt: that is an external one's own.

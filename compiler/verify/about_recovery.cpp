@@ -70,8 +70,9 @@ std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
 }
 
 Obligation doubted(Obligation o, Doubt doubt) {
-  o.status = Status::unknown;
-  o.method = "no proof";
+  o.status = doubt.takes_a_run ? Status::refuted : Status::unknown;
+  o.by_a_run = doubt.takes_a_run;
+  o.method = doubt.takes_a_run ? "geometry and bounds" : "no proof";
   o.because = std::move(doubt.why);
   o.repair = std::move(doubt.repair);
   o.claims.clear();

@@ -153,7 +153,8 @@ JointNeeds joint_needs_of(const Subject& s, std::optional<std::size_t> at_once) 
 
 std::vector<Sides> ways_to_choose(
     const Subject& s, const std::vector<const ir::Monitor*>& monitors,
-    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask) {
+    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask,
+    const std::function<std::int64_t(const ir::Monitor&)>& rest_mmps) {
   constexpr std::size_t ways_most = 64;
   const auto& params = s.decision.facts.params;
   std::vector<Sides> all(1);
@@ -165,7 +166,8 @@ std::vector<Sides> ways_to_choose(
       std::int64_t& mm = asked[ir::ZoneIndex{bound->leaf.table}];
       mm = std::max(mm, bound->need.strictest);
     });
-    for (const analysis::Choice& choice : analysis::choices_of(m->property, params)) {
+    const std::int64_t mmps = rest_mmps ? rest_mmps(*m) : 0;
+    for (const analysis::Choice& choice : analysis::choices_of(m->property, params, mmps)) {
       std::vector<Sides> more;
       for (const Sides& before : all) {
         for (const ir::ZoneIndex zone : choice) {

@@ -114,8 +114,9 @@ struct Obligation {
   bool in_turns = false;
   // Which of these may mend what is open; nothing is claimed of them.
   std::vector<Mend> mends{};
-  // Of what is acknowledged: by a limit on what others do, which a run may show to be broken.
-  bool declared = false;
+  // Of what is acknowledged: by a limit on what others do, which a run may show to be broken; and
+  // whether runs were played.
+  bool declared = false, played = false;
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that
   // leads nowhere from there.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};

@@ -10,6 +10,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/geometry/crowding.h"
@@ -526,16 +527,13 @@ std::string never_so_far_apart(const Subject& s) {
   return "";
 }
 
-// Whether each part of an `and` that speaks of inputs and robots is true at rest, whatever inputs
-// are.
-bool rests_anywhere(const Subject& s, const sema::Expr& e) {
-  const auto* const logic = std::get_if<sema::Logic>(&e.node);
-  if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
-    return std::ranges::all_of(logic->operands,
-                               [&](const auto& each) { return rests_anywhere(s, *each); });
-  }
-  if (!sema::speaks_of_robot(e) || analysis::inputs_in(s.spec, e).empty()) return true;
-  return analysis::rests_whatever_told(s.spec, e);
+bool settles_places(const Subject& s, const ir::Monitor& m) {
+  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
+  return analysis::places_settle(m.property, s.decision.facts.params,
+                                 {mmps, [&](ir::ValueId id) {
+                                    return analysis::asks_for_slow(s.module, s.decision, m.property,
+                                                                   id, mmps);
+                                  }});
 }
 
 Obligation returned_as_they_say(const Subject& s) {
@@ -562,16 +560,19 @@ Obligation returned_as_they_say(const Subject& s) {
   for (std::size_t k = 0; k < monitors.size(); ++k) {
     if (!s.looks_at_places(k)) continue;
     looking.push_back(&monitors[k]);
-    if (analysis::places_settle(monitors[k].property, s.decision.facts.params)) continue;
-    if (rests_anywhere(s, *s.monitor(k).always)) continue;
+    if (settles_places(s, monitors[k])) continue;
     o.method = "no proof";
     o.because = "what " + quoted(monitors[k].name) +
-                " asks of places depends on inputs in a way that no place is found for";
+                " asks of places depends on inputs or speeds in a way that no place is found for";
     return o;
   }
-  const std::vector<Sides> ways =
-      ways_to_choose(s, looking, [&](const ir::Monitor& m, std::int64_t own_mm) {
+  const std::vector<Sides> ways = ways_to_choose(
+      s, looking,
+      [&](const ir::Monitor& m, std::int64_t own_mm) {
         return analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) + own_mm;
+      },
+      [&](const ir::Monitor& m) {
+        return analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
       });
   const JointNeeds needs = joint_needs_of(s);
   if (ways.front().empty()) return together(s, needs);

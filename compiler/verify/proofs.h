@@ -27,9 +27,11 @@ struct Need {
   std::int64_t clearance_mm;
 };
 
-// Why something is not shown, and what works; without a reason it is shown.
+// Why something is not shown, and what works; without a reason it is shown. A run may show that it
+// is not so.
 struct Doubt {
   std::string why{}, repair{};
+  bool takes_a_run = false;
 };
 
 // What all proofs of a decision speak of.
@@ -113,11 +115,13 @@ JointNeeds joint_needs_of(const Subject& s, std::optional<std::size_t> at_once =
 // for one with which there is one.
 std::vector<Mend> earlier_returns(const Subject& s);
 // Of each `or` of zones one side, in all ways, at most 64 of them; `ask` tells how clear of its
-// zone a side that asks for so many mm has to be. One way without a side: there is no such `or`.
+// zone a side that asks for so many mm has to be, `rest_mmps` below which speed a limit is no side.
+// One way without a side: there is no such `or`.
 using Sides = std::vector<Need>;
 std::vector<Sides> ways_to_choose(
     const Subject& s, const std::vector<const ir::Monitor*>& monitors,
-    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask);
+    const std::function<std::int64_t(const ir::Monitor&, std::int64_t)>& ask,
+    const std::function<std::int64_t(const ir::Monitor&)>& rest_mmps = {});
 // Of both.
 std::vector<Need> all_of(const JointNeeds& needs);
 // That the return conditions hold at a place; of decisions without any, none.

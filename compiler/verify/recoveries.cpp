@@ -17,21 +17,27 @@
 namespace rtac::verify {
 namespace {
 
-// That each of the others charges at the same site meanwhile, up to where control is given back.
+// That each of the others charges at the same site meanwhile, up to what its return asks for, of
+// all that is written there the most; they come and go, too, which may take as long.
 std::vector<Mend> waits_for_all_charges(const Subject& s, const ir::Monitor& judged) {
   const sema::Energy& energy = *s.kind.energy;
   if (s.decision.open_fleet || energy.charge.value <= 0) return {};
-  Rational level = 1;
+  std::int64_t level_ppm = 0;
   const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
     const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
     if (!least || least->leaf.kind != ir::Leaf::Kind::battery) return;
-    level = std::min(level, Rational(static_cast<long>(least->need.strictest), 1'000'000));
+    level_ppm = std::max(level_ppm, least->need.strictest);
   };
   if (judged.return_when) ir::for_each_comparison(*judged.return_when, read);
+  const Rational level = level_ppm == 0 ? Rational(1) : Rational(level_ppm, 1'000'000);
   const std::int64_t wait_s =
       ceil_to_int(Rational(Rational(s.decision.robots - 1) * level / energy.charge.value));
-  if (wait_s <= energy.held.value) return {};
-  return {LongerWait{s.kind.name, wait_s}};
+  std::vector<Mend> all;
+  for (const std::int64_t times : {1, 2}) {
+    if (times * wait_s > energy.held.value)
+      all.emplace_back(LongerWait{s.kind.name, times * wait_s});
+  }
+  return all;
 }
 
 // What moves is gated by distances to others. How long it waits for them nothing bounds but what is
@@ -116,6 +122,11 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
   }
   if (Doubt doubt = doubt_about(s, k, k); !doubt.why.empty()) {
     return doubted(std::move(o), std::move(doubt));
+  }
+  // which errors of the analysis say as well, but where another one comes first
+  if (!slow_enough(s, k, k)) {
+    return doubted(std::move(o), {quoted(m.recovery.name) + " may drive faster than " +
+                                  quoted(m.name) + " allows"});
   }
   o = as_long_as_declared(s, k, m, std::move(o));
   o.claims.push_back(limits_claim(s));

@@ -192,7 +192,17 @@ Doubt doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged) {
   const analysis::ExactSolid solid = any_solid(s);
   const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, judged, s.known.get()};
   const ir::Monitor& driving = s.decision.monitors[k];
+  const ir::Block& says = s.decision.monitors[judged].property;
+  const bool faster = analysis::sets_out_faster(s.module, s.decision, k, says, says.result);
   for (const ir::Recovery* step : leading_steps(s, driving, s.decision.monitors[judged])) {
+    if (faster && ir::moves(step->kind) && !analysis::starts_within(take_over, step->zone)) {
+      return {"a robot outside of " + quoted(s.module[step->zone].name) +
+                  " that is slow enough may be led from there, and faster than " +
+                  quoted(s.decision.monitors[judged].name) + " allows",
+              "a recovery that is as slow is needed, or " +
+                  analysis::begins_inside(s.module[step->zone]),
+              true};
+    }
     for (const analysis::Standoff& outer : asked.zones) {
       Doubt doubt = doubt_of_step(s, take_over, driving, *step, outer);
       if (!doubt.why.empty()) return doubt;

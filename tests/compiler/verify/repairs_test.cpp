@@ -300,7 +300,7 @@ decision drive for Bot { advanced go; period 50 ms; priority gentle > called > f
 )";
   };
   const std::string repair = repair_of(page("0.8 ", ""), "switching", "");
-  const double speed = number_after(repair, "a speed of `home` of at most ");
+  const double speed = number_after(repair, "a speed of `home` of ");
   const double gap = number_after(repair, "`return when clearance(r, yard) >= ");
   EXPECT_NE(repair.find(" work, together"), std::string::npos) << repair;
   const auto works = [&](double by_speed, double by_gap) {
@@ -377,8 +377,7 @@ decision drive for Bot { advanced go; period 100 ms; priority charge > apart > f
   };
   const std::string repair = repair_of(page("120"), "P2a", "charge");
   // from nothing to 60 %, of the other one
-  EXPECT_EQ(repair,
-            "`held <= 1200 s` in `Bot` works: no run under attack has kept it waiting longer");
+  EXPECT_EQ(repair, "`held <= 1200 s` in `Bot` works: no run under attack has made `charge` fail");
   EXPECT_EQ(statuses(verified(page("1200"), {"--format", "json"}).out, "P2a", "charge"),
             Statuses{"acknowledged"});
 }

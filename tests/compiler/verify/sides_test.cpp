@@ -201,12 +201,25 @@ TEST_F(Sides, ALimitOfSpeedMayDependOnInputs) {
   expect_proved(
       near("if night then r.speed <= 0.6 m/s else "
            "if busy(guests) then r.speed <= 0.7 m/s else r.speed <= 0.8 m/s"));
+  expect_proved(
+      near("(guests <= 5 and r.speed <= 0.6 m/s) or (guests > 5 and r.speed <= 0.8 m/s)"));
   for (const char* const some : {"if busy(guests) then r.speed <= 0.1 m/s else r.speed <= 0.8 m/s",
                                  "(guests >= 3 and r.speed <= 0.6 m/s) or "
                                  "(guests < 2 and r.speed <= 0.8 m/s)"}) {
     EXPECT_NE(status(near(some), "P2a"), "proved") << some;
     EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation) << some;
   }
+}
+// From where it is slow enough it would be led faster than that allows.
+TEST_F(Sides, WhoIsSlowEnoughElsewhereIsNotLedFaster) {
+  const auto page = [&](const std::string& limit) {
+    return hall_with("always r inside west or r.speed <= " + limit + " m/s; recover back;", west,
+                     "retreat within west speed 0.2 m/s");
+  };
+  expect_proved(page("0.6"));
+  const Json claims = claims_of("P2a");
+  EXPECT_EQ(status(page("0.1"), "P2a"), "unknown");  // it takes a run to refute it
+  EXPECT_EQ(rechecked_as_proved("P2a", claims).status, exit_violation);
 }
 // Nor does the recovery of another monitor break it (6005), and the robot is given back by both.
 TEST_F(Sides, AnotherRecoveryThatIsSlowKeepsIt) {
