@@ -246,12 +246,13 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   if (!s.is_read) return o;  // nobody looks for a run
   if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
   // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
+  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
+  if (analysis::least_limit_mmps(m.property) >= mmps) return o;
   o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
   if (!o.place_mm) return o;
   o.status = Status::refuted;
   o.method = by_geometry;
   o.by_a_run = true;
-  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
   const Rational from_rest(static_cast<long>(mmps), 1000);
   o.because = "a robot at rest may be taken for one of " + to_decimal(from_rest) + " m/s, and " +
               quoted(m.name) + " lets none go that may be faster than its limit";
