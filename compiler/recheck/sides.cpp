@@ -128,7 +128,7 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
     asked.windows = true;
     return;
   }
-  if (parts.any && is_faster(recovery, part)) asked.faster = true;
+  if (parts.any && !either && is_faster(recovery, part)) asked.faster = true;
   if (parts.any && keeps_a_side(recovery, part, parts)) {
     asked.by_sides = true;
     if (is_slow(recovery, parts)) return;
