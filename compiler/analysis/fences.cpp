@@ -41,6 +41,29 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   if (const auto zone = fence_of(block, id, params)) add(zones, *zone);
 }
 
+// Whether it holds where others are far, the battery is full, and the height is as all limits of it
+// ask, which is how it is where control is given back.
+bool holds_far(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return holds_far(block, v->a) && holds_far(block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return holds_far(block, v->a) || holds_far(block, v->b);
+  }
+  if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
+    return others->universal && holds_far(*others->body, others->body->result);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return false;
+  const auto terms = ir::linear_form(block, *compare).terms;
+  return !terms.empty() && std::ranges::all_of(terms, [](const auto& term) {
+    const Leaf::Kind kind = term.first.kind;
+    return kind == Leaf::Kind::battery || kind == Leaf::Kind::energy_to ||
+           kind == Leaf::Kind::distance || kind == Leaf::Kind::agent || kind == Leaf::Kind::count ||
+           kind == Leaf::Kind::altitude;
+  });
+}
 // False: a branch is neither a zone nor apart from the robot, nor a limit of speed that is below
 // `rest_mmps`, which nobody is seen to keep.
 bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
@@ -52,7 +75,7 @@ bool branches(const ir::Block& block, ir::ValueId id, const std::vector<ir::Para
   // of a zone that is there at times: where it may be, at the best
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
     const auto there = [&](ir::ValueId side) {
-      return std::holds_alternative<ir::ZoneThere>(block[side].op);
+      return std::holds_alternative<ir::ZoneThere>(block[side].op) || holds_far(block, side);
     };
     if (there(v->a)) return is_branch(v->b);
     return there(v->b) && is_branch(v->a);
@@ -116,28 +139,6 @@ std::vector<Spoken> spoken_of(const ir::Block& block) {
   }
   return all;
 }
-// Whether it holds where others are far and the battery is full, which is how it is where control
-// is given back.
-bool holds_far(const ir::Block& block, ir::ValueId id) {
-  const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return holds_far(block, v->a) && holds_far(block, v->b);
-  }
-  if (const auto* v = std::get_if<ir::Or>(&op)) {
-    return holds_far(block, v->a) || holds_far(block, v->b);
-  }
-  if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
-    return others->universal && holds_far(*others->body, others->body->result);
-  }
-  const auto* compare = std::get_if<ir::AtLeast>(&op);
-  if (compare == nullptr) return false;
-  const auto terms = ir::linear_form(block, *compare).terms;
-  return !terms.empty() && std::ranges::all_of(terms, [](const auto& term) {
-    const Leaf::Kind kind = term.first.kind;
-    return kind == Leaf::Kind::battery || kind == Leaf::Kind::energy_to ||
-           kind == Leaf::Kind::distance || kind == Leaf::Kind::agent || kind == Leaf::Kind::count;
-  });
-}
 bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param>& params,
              const AtRest& at_rest, const std::vector<Spoken>& spoken) {
   if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
@@ -145,7 +146,8 @@ bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
            settled(block, v->b, params, at_rest, spoken);
   }
   const Spoken& of = spoken[static_cast<std::size_t>(id)];
-  if (!of.places || (!of.inputs && !of.own_speed)) return true;
+  const bool either = std::holds_alternative<ir::Or>(block[id].op);
+  if (!of.places || (!either && !of.inputs && !of.own_speed)) return true;
   if (!of.inputs && holds_far(block, id)) return true;
   Choice choice;
   return at_rest.holds(id) ||

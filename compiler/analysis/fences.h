@@ -27,9 +27,9 @@ struct AtRest {
   std::int64_t mmps = 0;                   // as fast as it may become
   std::function<bool(ir::ValueId)> holds;  // so slow, wherever it is, and whatever it is told
 };
-// Whether inputs and limits of its own speed stand beside places in nothing but such an `or`, which
-// is true where one of its zones holds the robot, whatever inputs are, or in what is true of a
-// robot at rest wherever it is.
+// Whether each `or` of places is such a one, which is true where one of its zones holds the robot,
+// whatever inputs are, or true of a robot at rest wherever it is, or where others are far; and
+// whether inputs and limits of its own speed stand beside places in nothing else.
 bool places_settle(const ir::Block& property, const std::vector<ir::Param>& params,
                    const AtRest& at_rest);
 

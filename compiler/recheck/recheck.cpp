@@ -331,7 +331,7 @@ class Check {
     for_each_part(*m.always, [&](const sema::Expr& part) {
       const bool asks_inputs = !spoken_of(spec_, part).empty();
       const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
-      if (!of_places || (!asks_inputs && !has_own_limit(part))) return;
+      if (!of_places || (!asks_inputs && !has_own_limit(part) && !is_choice(part))) return;
       const auto may_be = [&](const sema::Expr& leaf, bool value) {
         if (!spoken_of(spec_, leaf).empty()) return told == nullptr;
         const auto asked = all_zones(leaf);
@@ -346,6 +346,11 @@ class Check {
       if (Sides(spec_, d, claims_).holds_at_rest(part, m, extra)) return;
       fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
     });
+  }
+  // Some of it may be false.
+  static bool is_choice(const sema::Expr& part) {
+    const auto* const logic = std::get_if<sema::Logic>(&part.node);
+    return logic != nullptr && logic->op != sema::LogicOp::logical_and;
   }
   // One of its own speed.
   static bool has_own_limit(const sema::Expr& part) {

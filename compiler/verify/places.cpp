@@ -166,6 +166,13 @@ std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
   for (Need& need : together) need.clearance_mm = std::max<std::int64_t>(need.clearance_mm, 1);
   return together;
 }
+// `mmps`: as fast as a robot at rest may be.
+bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps) {
+  const auto rests = [&](ir::ValueId id) {
+    return analysis::asks_for_slow(s.module, s.decision, m.property, id, mmps);
+  };
+  return analysis::places_settle(m.property, s.decision.facts.params, {mmps, rests});
+}
 // Of an `or` one side will do.
 std::vector<Sides> sides_seen(const Subject& s, const ir::Monitor& m) {
   if (s.decision.on_plan) return {{}};
@@ -306,6 +313,12 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
   const analysis::Told told = told_for(s, k, true);
   if (told.can != analysis::CanBeTold::yes) return not_told(std::move(o), told);
+  const bool by_places = analysis::inputs_in(s.spec, *s.monitor(k).always).empty();
+  if (by_places && !s.decision.on_plan && !settles_places(s, m, 0)) {
+    o.method = "no proof";
+    o.because = "some `or` is no choice of one of several zones, and no place is found for it";
+    return o;
+  }
   o.status = Status::proved;
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
@@ -527,15 +540,6 @@ std::string never_so_far_apart(const Subject& s) {
   return "";
 }
 
-bool settles_places(const Subject& s, const ir::Monitor& m) {
-  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
-  return analysis::places_settle(m.property, s.decision.facts.params,
-                                 {mmps, [&](ir::ValueId id) {
-                                    return analysis::asks_for_slow(s.module, s.decision, m.property,
-                                                                   id, mmps);
-                                  }});
-}
-
 Obligation returned_as_they_say(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -560,10 +564,13 @@ Obligation returned_as_they_say(const Subject& s) {
   for (std::size_t k = 0; k < monitors.size(); ++k) {
     if (!s.looks_at_places(k)) continue;
     looking.push_back(&monitors[k]);
-    if (settles_places(s, monitors[k])) continue;
+    const std::int64_t mmps =
+        analysis::fastest_from_rest(s.decision, monitors[k].lookahead.duration_us);
+    if (settles_places(s, monitors[k], mmps)) continue;
     o.method = "no proof";
-    o.because = "what " + quoted(monitors[k].name) +
-                " asks of places depends on inputs or speeds in a way that no place is found for";
+    o.because =
+        "what " + quoted(monitors[k].name) +
+        " asks of places is no choice of one of several zones, and no place is found for it";
     return o;
   }
   const std::vector<Sides> ways = ways_to_choose(

@@ -287,6 +287,17 @@ TEST_F(AtOnce, WhoIsSlowEnoughAtRestWhateverInputsAreAsksForNoPlace) {
     EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << some;
   }
 }
+// What is an `and` within an `or` is no choice of one of several zones.
+TEST_F(AtOnce, NoPlaceIsFoundForWhatIsNoChoice) {
+  const Outcome o = judged(in_the_west(
+      "(r inside yard and r inside hall) or (r inside yard and r inside east); recover to_yard;",
+      "r inside hall; recover to_hall;"));
+  for (const auto& [kind, monitor] :
+       {std::pair("joint return", ""), std::pair("satisfiable", "nights")}) {
+    ASSERT_EQ(statuses(o.out, kind, monitor).size(), 1U) << kind << o.out << o.err;
+    EXPECT_NE(statuses(o.out, kind, monitor), Statuses{"proved"}) << kind << o.out;
+  }
+}
 // So far apart no two robots are in one zone.
 TEST_F(AtOnce, DistancesThatInputsAskForAreNotTakenForGranted) {
   std::string text = in_the_west(
