@@ -41,8 +41,8 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   if (const auto zone = fence_of(block, id, params)) add(zones, *zone);
 }
 
-// Whether it holds where others are far, the battery is full, and the height is as all limits of it
-// ask, which is how it is where control is given back.
+// Whether it holds where others are far, the battery is full, zones that come and go are gone, and
+// the height is as all limits of it ask, which is how it is where control is given back.
 bool holds_far(const ir::Block& block, ir::ValueId id) {
   const ir::Op& op = block[id].op;
   if (const auto* v = std::get_if<ir::And>(&op)) {
@@ -53,6 +53,9 @@ bool holds_far(const ir::Block& block, ir::ValueId id) {
   }
   if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
     return others->universal && holds_far(*others->body, others->body->result);
+  }
+  if (const auto* v = std::get_if<ir::Not>(&op)) {
+    return std::holds_alternative<ir::ZoneThere>(block[v->a].op);
   }
   const auto* compare = std::get_if<ir::AtLeast>(&op);
   if (compare == nullptr) return false;

@@ -53,8 +53,9 @@ std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration
   const ir::Decision& d = s.decision;
   const auto takes_turns = [&](const ir::Monitor& m) { return is_named(in_turns, m); };
   std::vector<Mend> all;
-  for (const ir::Monitor& m : d.monitors) {
-    if (takes_turns(m)) add_recoveries_of_others(d, m, takes_turns, all);
+  // rather who ranks lower follows
+  for (auto m = d.monitors.rbegin(); m != d.monitors.rend(); ++m) {
+    if (takes_turns(*m)) add_recoveries_of_others(d, *m, takes_turns, all);
   }
   for (std::size_t i = 0; i < d.monitors.size(); ++i) {
     for (std::size_t j = 0; j < d.monitors.size(); ++j) {
