@@ -16,6 +16,7 @@
 #include "compiler/geometry/crowding.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/about_recovery.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/common_place.h"
 #include "compiler/verify/proofs.h"
@@ -173,6 +174,13 @@ bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps) {
   };
   return analysis::places_settle(m.property, s.decision.facts.params, {mmps, rests});
 }
+constexpr const char* no_choice =
+    "some `or` is no choice of one of several zones, and no place is found for it";
+// Of a property without inputs.
+bool is_no_choice(const Subject& s, std::size_t k) {
+  const bool by_places = analysis::inputs_in(s.spec, *s.monitor(k).always).empty();
+  return by_places && !s.decision.on_plan && !settles_places(s, s.decision.monitors[k], 0);
+}
 // Of an `or` one side will do.
 std::vector<Sides> sides_seen(const Subject& s, const ir::Monitor& m) {
   if (s.decision.on_plan) return {{}};
@@ -313,12 +321,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
   const analysis::Told told = told_for(s, k, true);
   if (told.can != analysis::CanBeTold::yes) return not_told(std::move(o), told);
-  const bool by_places = analysis::inputs_in(s.spec, *s.monitor(k).always).empty();
-  if (by_places && !s.decision.on_plan && !settles_places(s, m, 0)) {
-    o.method = "no proof";
-    o.because = "some `or` is no choice of one of several zones, and no place is found for it";
-    return o;
-  }
+  if (is_no_choice(s, k)) return doubted(std::move(o), {no_choice});
   o.status = Status::proved;
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
