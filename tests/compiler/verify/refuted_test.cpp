@@ -275,6 +275,7 @@ TEST_F(InFolder, ASimulatorThatFailsIsAnInternalError) {
   fs::permissions("sim.sh", fs::perms::owner_all);
   ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
   const Outcome o = rtac({"verify", folder() + "strays.rta"});
+  ::unsetenv("RTAC_SIM");
   EXPECT_EQ(o.status, exit_internal) << o.out << o.err;
   EXPECT_NE(o.out.find("not shown: the simulator has failed"), std::string::npos) << o.out;
   EXPECT_NE(o.err.find("internal error: the simulator has failed"), std::string::npos) << o.err;
