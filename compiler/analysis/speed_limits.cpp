@@ -87,7 +87,11 @@ class Limits {
       const std::string& name = decision_.monitors[k].recovery.name;
       if (keeps(k, id) || ir::acknowledged(decision_, name, monitor_.name)) continue;
       const auto exceeded = first(id, fastest_while_driving(decision_, k));
-      report_too_fast(exceeded.value_or(*limit), k, std::holds_alternative<ir::Or>(block_[id].op));
+      if (exceeded) {
+        report_too_fast(*exceeded, k, std::holds_alternative<ir::Or>(block_[id].op));
+      } else if (!has_parameter()) {
+        report_unknown(*limit, k);
+      }
     }
   }
   // Whether some place or other lets control return, as far as speeds are concerned.
@@ -191,9 +195,34 @@ class Limits {
                (of_a_choice ? " where nothing else of the `or` holds" : ""),
            works + "`acknowledge " + name + " may break " + monitor_.name + " \"why\"`" +
                (works.empty() ? " works" : ""));
-    if (name == monitor_.recovery.name) return;
+    name_pair(name);
+  }
+  // A limit that is a parameter is none that can be looked ahead at (5006).
+  [[nodiscard]] bool has_parameter() const {
+    bool found = false;
+    ir::for_each_comparison(block_, [&](const ir::Block& block, const ir::AtLeast& compare) {
+      const ir::Linear form = ir::linear_form(block, compare);
+      const bool of_speed =
+          form.terms.size() == 1 && form.terms.begin()->first.kind == ir::Leaf::Kind::speed;
+      found = found || (of_speed && !form.rest.params.empty());
+    });
+    return found;
+  }
+  // No number is exceeded, and what else counts need not be kept.
+  void report_unknown(const Limit& limit, std::size_t k) {
+    const std::string& name = decision_.monitors[k].recovery.name;
+    report(limit,
+           "the recovery `" + name + "` drives at up to " +
+               speed_text(fastest_while_driving(decision_, k)) + ", and `" + monitor_.name +
+               "` is not shown to allow that",
+           "`acknowledge " + name + " may break " + monitor_.name + " \"why\"` works");
+    name_pair(name);
+  }
+  // Of a recovery of another monitor.
+  void name_pair(const std::string& recovery) {
+    if (recovery == monitor_.recovery.name) return;
     found_.back().monitor = monitor_.name;
-    found_.back().recovery = name;
+    found_.back().recovery = recovery;
   }
   [[nodiscard]] Fault fault(const Limit& limit) const {
     return fault_of(diag::Code::speed_limit_unkept, limit.value->source);

@@ -483,19 +483,8 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
   return all;
 }
 
-std::set<sema::InputId> beside_places(const sema::Spec& spec, const sema::Expr& e) {
-  std::set<sema::InputId> all;
-  sema::for_each_expr(e, [&](const sema::Expr& part) {
-    const auto* const logic = std::get_if<sema::Logic>(&part.node);
-    const bool either = logic != nullptr && logic->op != sema::LogicOp::logical_and &&
-                        logic->op != sema::LogicOp::logical_not;
-    // of an `and`, one side is not so if another one is not
-    const bool denied = logic != nullptr && logic->op == sema::LogicOp::logical_not &&
-                        std::holds_alternative<sema::Logic>(logic->operands[0]->node);
-    if ((either || denied) && sema::speaks_of_robot(part)) all.merge(inputs_in(spec, part));
-  });
-  return all;
-}
+namespace {
+
 bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
                   sema::InputId input) {
   int times = 0;
@@ -507,6 +496,54 @@ bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
     });
   }
   return times <= 1;
+}
+
+// A choice between what inputs say and what robots sense; of an `and` that is denied, one side is
+// not so if another one is not.
+bool is_choice(const sema::Spec& spec, const sema::Expr& e) {
+  const auto* const logic = std::get_if<sema::Logic>(&e.node);
+  return logic != nullptr && logic->op != sema::LogicOp::logical_and && sema::speaks_of_robot(e) &&
+         !inputs_in(spec, e).empty();
+}
+// What has to be true for `e` to be, where all of its operands have to be.
+bool asks_for_all(const sema::Expr& e) {
+  if (const auto* const v = std::get_if<sema::Logic>(&e.node)) {
+    return v->op == sema::LogicOp::logical_and;
+  }
+  if (const auto* const v = std::get_if<sema::ForOthers>(&e.node)) return v->universal;
+  return std::holds_alternative<sema::HeldFor>(e.node) ||
+         std::holds_alternative<sema::Previously>(e.node) ||
+         std::holds_alternative<sema::Past>(e.node);
+}
+
+}  // namespace
+
+std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& e,
+                                          const std::vector<const sema::Expr*>& all,
+                                          const std::function<bool(const sema::Expr&)>& always) {
+  const auto* const logic = std::get_if<sema::Logic>(&e.node);
+  const auto is_always = [&](const sema::ExprPtr& side) { return always(*side); };
+  if (logic != nullptr && logic->op == sema::LogicOp::logical_or &&
+      std::ranges::any_of(logic->operands, is_always)) {
+    return {};
+  }
+  std::vector<const sema::Expr*> torn;
+  if (asks_for_all(e)) {
+    sema::for_each_operand(e, [&](const sema::ExprPtr& side) {
+      const auto more = torn_parts(spec, *side, all, always);
+      torn.insert(torn.end(), more.begin(), more.end());
+    });
+    return torn;
+  }
+  bool chooses = false;
+  sema::for_each_expr(e,
+                      [&](const sema::Expr& part) { chooses = chooses || is_choice(spec, part); });
+  const auto inputs = inputs_in(spec, e);
+  const bool is_torn = chooses && std::ranges::any_of(inputs, [&](sema::InputId input) {
+                         return !is_said_once(spec, all, input);
+                       });
+  if (is_torn) torn.push_back(&e);
+  return torn;
 }
 
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {

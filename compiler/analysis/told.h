@@ -2,6 +2,7 @@
 // may be, by interval arithmetic. What robots sense, and what no number decides, is as it suits.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,11 +36,12 @@ Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
                   const std::vector<const sema::Expr*>& whatever_is_sensed = {});
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
-// The inputs that an `or` speaks of beside what robots sense: either may make it true.
-std::set<sema::InputId> beside_places(const sema::Spec& spec, const sema::Expr& e);
-// Whether all of these together speak of it once at most.
-bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
-                  sema::InputId input);
+// The parts of what has to be true that inputs or what robots sense may make so, either of them,
+// and whose inputs are spoken of elsewhere in `all`, too: which side is so need not be the same
+// then. An `or` of which a side is `always` so is none.
+std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& e,
+                                          const std::vector<const sema::Expr*>& all,
+                                          const std::function<bool(const sema::Expr&)>& always);
 // Whether two of these speak of one input.
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 

@@ -119,23 +119,30 @@ class Mending {
                                  check_model);
     left_us_ -= micros_of(anew);
     leave_open(anew);  // no run is looked for
-    if (!keeps_as_declared(anew, *built)) return std::nullopt;
+    by_runs_ = false;
+    if (mends_it(anew) && !keeps_as_declared(anew, *built)) return std::nullopt;
     return anew;
   }
-  // What is declared, and a run has refuted, none refutes any more.
+  // What is declared, of this and of all that was not open: no run refutes it.
   bool keeps_as_declared(const Report& anew, BuiltAnew& built) {
-    by_runs_ = false;
+    Report declared{anew.spec, {}};
     for (const verify::Decision& d : anew.decisions) {
+      verify::Decision of{d.name, d.kind, {}, {}};
       for (const Obligation& o : d.obligations) {
-        if (key_of(d.name, o) != key_ || !o.declared) continue;
-        Report alone{anew.spec, {{d.name, d.kind, {o}, {}}}};
-        play_(built, alone);
-        const Obligation& played = alone.decisions.front().obligations.front();
-        by_runs_ = played.played;
-        return by_runs_ && !is_open(played);
+        if (o.declared && !is_open(o)) of.obligations.push_back(o);
+      }
+      if (!of.obligations.empty()) declared.decisions.push_back(std::move(of));
+    }
+    if (declared.decisions.empty()) return true;
+    play_(built, declared);
+    for (const verify::Decision& d : declared.decisions) {
+      for (const Obligation& o : d.obligations) {
+        const bool is_own = key_of(d.name, o) == key_;
+        by_runs_ = by_runs_ || (is_own && o.played);
+        if (is_own && !o.played) return false;
       }
     }
-    return true;
+    return std::ranges::includes(open_, open_of(declared, false));
   }
   [[nodiscard]] std::string as_played() const {
     return by_runs_ ? ": no run under attack has made `" + std::get<2>(key_) + "` fail" : "";

@@ -36,8 +36,8 @@ Alike::Alike(const CellGrid& cells, const ClearCells& clear, const ClearCells& m
       std::vector<std::int32_t> key{surroundings_[cell]};
       if (!clear.all(c - legs, r - legs, c + legs, r + legs)) {
         const double size_mm = cells.cell_mm;
-        connectors.look_around(cells.origin.x_mm + c * size_mm, cells.origin.y_mm + r * size_mm,
-                               size_mm, legs_mm);
+        (void)connectors.look_around(cells.origin.x_mm + c * size_mm,
+                                     cells.origin.y_mm + r * size_mm, size_mm, legs_mm);
         looked_at_ += connectors.looked_at();
         const std::vector<std::int32_t> edges = connectors.edges_off_corner();
         key.insert(key.end(), edges.begin(), edges.end());

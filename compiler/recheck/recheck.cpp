@@ -201,13 +201,17 @@ class Check {
     return false;
   }
 
-  static bool has(const Entry& e, const std::string& what, const Values& values = {}) {
-    return std::any_of(e.claims.begin(), e.claims.end(), [&](const Claim& c) {
+  static const Claim* claim_with(const Entry& e, const std::string& what, const Values& values) {
+    const auto found = std::ranges::find_if(e.claims, [&](const Claim& c) {
       return c.what == what && std::all_of(values.begin(), values.end(), [&](const auto& v) {
                const auto at = c.values.find(v.first);
                return at != c.values.end() && at->second == v.second;
              });
     });
+    return found == e.claims.end() ? nullptr : &*found;
+  }
+  static bool has(const Entry& e, const std::string& what, const Values& values = {}) {
+    return claim_with(e, what, values) != nullptr;
   }
   void need(const sema::Decision& d, const Entry& e, const std::string& what, Values values = {},
             bool named = true) {
@@ -331,7 +335,7 @@ class Check {
     for_each_part(*m.always, [&](const sema::Expr& part) {
       const bool asks_inputs = !spoken_of(spec_, part).empty();
       const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
-      if (!of_places || (!asks_inputs && !has_own_limit(part) && !is_choice(part))) return;
+      if (!of_places || (!asks_inputs && !sema::speaks_of_speed(part) && !is_choice(part))) return;
       const auto may_be = [&](const sema::Expr& leaf, bool value) {
         if (!spoken_of(spec_, leaf).empty()) return told == nullptr;
         const auto asked = all_zones(leaf);
@@ -352,15 +356,6 @@ class Check {
     const auto* const logic = std::get_if<sema::Logic>(&part.node);
     return logic != nullptr && logic->op != sema::LogicOp::logical_and;
   }
-  // One of its own speed.
-  static bool has_own_limit(const sema::Expr& part) {
-    bool found = false;
-    sema::for_each_expr(part, [&](const sema::Expr& leaf) {
-      const auto* const v = std::get_if<sema::SignalRef>(&leaf.node);
-      found = found || (v != nullptr && v->signal == sema::Signal::speed);
-    });
-    return found;
-  }
   // Each part of an `and`.
   template <class Visit>
   static void for_each_part(const sema::Expr& e, const Visit& visit) {
@@ -368,21 +363,28 @@ class Check {
     if (logic == nullptr || logic->op != sema::LogicOp::logical_and) return visit(e);
     for (const sema::ExprPtr& each : logic->operands) for_each_part(*each, visit);
   }
-  // Of all monitors, or of one of them.
-  void not_torn(const sema::Decision& d, const Entry& e, const std::string& only) {
+  // Of all monitors, or of one of them: what inputs or places may make true, inputs do.
+  void not_torn(const sema::Decision& d, const Entry& e, const std::string& only,
+                const Claim* told) {
     const auto said = said_by(spec_, d, only);
+    const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& m = spec_[id];
       if (!m.return_when || (!only.empty() && m.name != only)) continue;
-      if (!is_torn(spec_, *m.return_when, said)) continue;
-      fail(whom(d, e) + ": `return when` of `" + m.name +
-           "` may ask for inputs and places that are not at once");
+      const auto at_rest = [&](const sema::Expr& part) {
+        return is_limit_kept_at_rest(spec_, d, claims_, m, part);
+      };
+      for (const sema::Expr* part : torn_parts(spec_, *m.return_when, said, at_rest)) {
+        if (inputs && told_alone_makes(spec_, *part, *inputs)) continue;
+        fail(whom(d, e) + ": `return when` of `" + m.name +
+             "` may ask for inputs and places that are not at once");
+      }
     }
   }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
-    not_torn(d, e, "");
     const Claim* const told = told_at_once(d, e);
+    not_torn(d, e, "", told);
     // which ask for no place then
     const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
     if (has(e, "no_fences", {{"decision", d.name}})) {
@@ -659,7 +661,7 @@ class Check {
            !std::holds_alternative<sema::Yield>(steps.back());
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    not_torn(d, e, m.name);
+    not_torn(d, e, m.name, claim_with(e, "at_once", {{"decision", d.name}, {"monitor", m.name}}));
     if (asks_at_once(spec_, said_by(spec_, d, m.name))) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }

@@ -222,4 +222,20 @@ bool lets_go_at(const sema::Spec& spec, const sema::Decision& decision, Claims& 
   return Condition(spec, decision, claims, monitor, 0).holds_at(*monitor.return_when, at, z);
 }
 
+bool is_limit_kept_at_rest(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                           const sema::Monitor& monitor, const sema::Expr& e) {
+  const auto* const limit = std::get_if<sema::Compare>(&e.node);
+  if (limit == nullptr || !monitor.recover) return false;
+  const auto is_own_speed = [](const sema::Expr& side) {
+    const auto* const v = std::get_if<sema::SignalRef>(&side.node);
+    return v != nullptr && v->signal == sema::Signal::speed && v->subject == sema::Subject::self;
+  };
+  const auto is_number = [](const sema::Expr& side) {
+    return std::holds_alternative<sema::Constant>(side.node);
+  };
+  return ((is_own_speed(*limit->left) && is_number(*limit->right)) ||
+          (is_own_speed(*limit->right) && is_number(*limit->left))) &&
+         Condition(spec, decision, claims, monitor, 0).comes_about(e);
+}
+
 }  // namespace rtac::recheck

@@ -16,4 +16,9 @@ bool lets_go_at(const sema::Spec& spec, const sema::Decision& decision, Claims& 
                 const sema::Monitor& monitor, const geometry::Point& at,
                 const std::optional<Rational>& z);
 
+// Whether this is a limit of its own speed that whoever has come to rest is seen to keep, driven by
+// the recovery of the monitor.
+bool is_limit_kept_at_rest(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                           const sema::Monitor& monitor, const sema::Expr& e);
+
 }  // namespace rtac::recheck

@@ -144,14 +144,9 @@ void Sides::collect(const sema::Controller& recovery, const Part& part, bool eit
 }
 
 bool Sides::is_faster(const sema::Controller& recovery, const Part& part) {
-  if (all_zones(*part.expr).empty()) return false;
-  bool limits = false;
-  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    limits = limits || (signal != nullptr && signal->signal == sema::Signal::speed);
-  });
+  if (all_zones(*part.expr).empty() || !sema::speaks_of_speed(*part.expr)) return false;
   const auto speed = claimed_speed_of(recovery);
-  return limits && !(speed && (slow_side(part, *speed) || slow(part, *speed)));
+  return !(speed && (slow_side(part, *speed) || slow(part, *speed)));
 }
 
 bool Sides::straight_between(const std::vector<std::vector<sema::ZoneId>>& either) {

@@ -289,15 +289,9 @@ bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
   return !Reader(spec, inputs, true, false, may_be).can_be(property, false, true);
 }
 
-bool is_torn(const sema::Spec& spec, const sema::Expr& return_when,
-             const std::vector<const sema::Expr*>& all) {
-  std::set<sema::InputId> beside;
-  sema::for_each_expr(return_when, [&](const sema::Expr& part) {
-    const auto* const logic = std::get_if<sema::Logic>(&part.node);
-    // a `not` may turn an `and` within it into an `or`
-    if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return;
-    if (sema::speaks_of_robot(part)) beside.merge(spoken_of(spec, part));
-  });
+std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,
+                                          const std::vector<const sema::Expr*>& all,
+                                          const std::function<bool(const sema::Expr&)>& always) {
   const auto times = [&](sema::InputId input) {
     int count = 0;
     for (const sema::Expr* each : all) {
@@ -309,7 +303,39 @@ bool is_torn(const sema::Spec& spec, const sema::Expr& return_when,
     }
     return count;
   };
-  return std::ranges::any_of(beside, [&](sema::InputId input) { return times(input) > 1; });
+  // of a `not`, too: it may turn an `and` within it into an `or`
+  const auto may_choose = [&](const sema::Expr& e) {
+    bool found = false;
+    sema::for_each_expr(e, [&](const sema::Expr& part) {
+      const auto* const logic = std::get_if<sema::Logic>(&part.node);
+      found = found || (logic != nullptr && logic->op != sema::LogicOp::logical_and &&
+                        sema::speaks_of_robot(part) && !spoken_of(spec, part).empty());
+    });
+    return found;
+  };
+  std::vector<const sema::Expr*> torn, left{&wanted};
+  while (!left.empty()) {
+    const sema::Expr& e = *left.back();
+    left.pop_back();
+    const auto* const logic = std::get_if<sema::Logic>(&e.node);
+    const auto* const others = std::get_if<sema::ForOthers>(&e.node);
+    const bool either = logic != nullptr && logic->op == sema::LogicOp::logical_or;
+    if (either && std::ranges::any_of(logic->operands, [&](const auto& x) { return always(*x); })) {
+      continue;
+    }
+    const bool both = (logic != nullptr && logic->op == sema::LogicOp::logical_and) ||
+                      (others != nullptr && others->universal) ||
+                      std::holds_alternative<sema::HeldFor>(e.node) ||
+                      std::holds_alternative<sema::Previously>(e.node) ||
+                      std::holds_alternative<sema::Past>(e.node);
+    if (both) {
+      sema::for_each_operand(e, [&](const sema::ExprPtr& x) { left.push_back(x.get()); });
+    } else if (may_choose(e) &&
+               std::ranges::any_of(spoken_of(spec, e), [&](auto x) { return times(x) > 1; })) {
+      torn.push_back(&e);
+    }
+  }
+  return torn;
 }
 
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,

@@ -39,10 +39,12 @@ bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldIn
 using MayBe = std::function<bool(const sema::Expr&, bool value)>;
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
                          const ToldInputs& inputs, const MayBe& may_be);
-// Whether a `return when` speaks of an input on one side of an `or`, of what robots sense on
-// another, and so does anything else of that input: which side is so need not be the same then.
-bool is_torn(const sema::Spec& spec, const sema::Expr& return_when,
-             const std::vector<const sema::Expr*>& all);
+// The parts of what has to be true that inputs or what robots sense may make so, either of them,
+// and whose inputs anything else of `all` speaks of: which side is so need not be the same then. An
+// `or` of which a side is `always` so tears nothing.
+std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,
+                                          const std::vector<const sema::Expr*>& all,
+                                          const std::function<bool(const sema::Expr&)>& always);
 // Whether it is true then whatever else is sensed, as long as they stay so.
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs);
 

@@ -89,4 +89,14 @@ inline bool speaks_of_robot(const Expr& expr) {
   return found;
 }
 
+// Whether a part of it is a speed.
+inline bool speaks_of_speed(const Expr& expr) {
+  bool found = false;
+  for_each_expr(expr, [&](const Expr& each) {
+    const auto* signal = std::get_if<SignalRef>(&each.node);
+    found = found || (signal != nullptr && signal->signal == Signal::speed);
+  });
+  return found;
+}
+
 }  // namespace rtac::sema

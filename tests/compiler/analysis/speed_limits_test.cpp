@@ -45,6 +45,16 @@ TEST(SpeedLimits, ARecoveryKeepsThem) {
   expect_works(text_of("0.5 m/s", "0.479 m/s", "acknowledge back_off may break calm \"a test\"; "));
 }
 
+// It cannot be looked ahead at, which is said of it; no other limit is named in its place.
+TEST(SpeedLimits, OneThatIsAParameterIsAMatterOfItsOwn) {
+  const std::string text = text_of("creep or (fog and d.speed <= 0.8 m/s)", "0.5 m/s");
+  const std::string declared =
+      "param creep : speed in 0.5 m/s .. 0.9 m/s = 0.6 m/s;\ninput fog : bool max_age 1 s;\nfleet";
+  const auto c = compiled(std::string(text).replace(text.find("fleet"), 5, declared));
+  EXPECT_TRUE(has(*c, Code::atom_without_transformer)) << reports(*c);
+  EXPECT_FALSE(has(*c, Code::speed_limit_unkept)) << reports(*c);
+}
+
 // Twice the error, the grid, and 1 m/s^2 over ages, period, look-ahead and latency.
 TEST(SpeedLimits, ARobotAtRestMayHandControlBack) {
   const std::string message = said(text_of("0.2 m/s", "0.1 m/s"));

@@ -298,6 +298,44 @@ TEST_F(AtOnce, NoPlaceIsFoundForWhatIsNoChoice) {
     EXPECT_NE(statuses(o.out, kind, monitor), Statuses{"proved"}) << kind << o.out;
   }
 }
+// An `or` of inputs and what robots sense asks for inputs that make it true by themselves, where
+// they are spoken of elsewhere, but beside a limit that a robot at rest is seen to keep.
+TEST_F(AtOnce, AnOrIsTrueByItsInputsOrAtRest) {
+  const auto page = [](const std::string& asked, const std::string& least = "20") {
+    const std::string in = std::string(off_walls) + " and ";
+    return asking(in + "load <= 60; recover back; return when " + asked,
+                  in + "load >= " + least + "; recover back");
+  };
+  proved(page("load <= 50 or clearance(r, hall) >= 2 m"));
+  expect_denied(
+      "joint return",
+      [](Json& c) {
+        if (c["claim"] == "at_once") c["inputs"] = "load.0=55";
+        return true;
+      },
+      "inputs and places that are not at once");
+  // 0.13 m/s may be seen of who stands
+  for (const char* const slow : {"r.speed <= 0.2 m/s", "0.2 m/s > r.speed"}) {
+    proved(page(std::string("load <= 15 or ") + slow));
+  }
+  const auto joint_of = [](Json& report) -> Json& {
+    return *std::ranges::find_if(report["decisions"][0]["obligations"], [](const Json& each) {
+      return each["obligation"] == "joint return";
+    });
+  };
+  const Json kept = joint_of(report_);
+  for (const char* const open :
+       {"load <= 15 or r.speed <= 0.03 m/s", "load <= 15 or r.speed >= 0.2 m/s",
+        "load <= 15 or clearance(r, hall) >= 2 m", "not (load > 15 and r.speed > 0.03 m/s)",
+        "not previously (load > 15 and r.speed > 0.03 m/s)"}) {
+    const Outcome o = verified(page(open), {"--attack", "1", "-o", "certificates"});
+    report_ = Json::parse(read("certificates/verification.json"));
+    EXPECT_NE(joint_of(report_)["status"], "proved") << open << o.out;
+    joint_of(report_) = kept;
+    write("certificates/verification.json", report_.dump());
+    EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << open;
+  }
+}
 // So far apart no two robots are in one zone.
 TEST_F(AtOnce, DistancesThatInputsAskForAreNotTakenForGranted) {
   std::string text = in_the_west(
