@@ -76,7 +76,7 @@ class WellFormed {
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
         const ir::Monitor& monitor = decision.monitors[k];
         for (const ir::Recovery* step : ir::steps_of(monitor.recovery)) cells(*step);
-        exact_far_enough(decision, monitor);
+        exact_far_enough(decided, monitor);
         legs(decided, monitor);
         if (auto found = hopeless_return(decided, k, exact_); found && !is_told_of(*found)) {
           diagnostics_.report(std::move(*found));
@@ -191,12 +191,10 @@ class WellFormed {
 
   // Beyond the distances that a tree of cells holds exactly, its bounds from below may fail places
   // that are far enough from the boundary. In a zone that is not much wider than that, few are.
-  void exact_far_enough(const ir::Decision& decision, const ir::Monitor& monitor) {
+  void exact_far_enough(const Decided& of, const ir::Monitor& monitor) {
     if (!monitor.lookahead.duration) return;
-    const std::int64_t t_us =
-        horizon_us_max(decision.body, monitor.lookahead.duration_us) + decision.return_extra_us;
-    const std::int64_t reach_mm =
-        disc_mm(decision.body, decision.motions[0], decision.motions[0].speed_mmps, t_us);
+    const ir::Decision& decision = of.decision;
+    const std::int64_t reach_mm = reach_at_full_speed_mm(decision, monitor.lookahead.duration_us);
     for (const ir::Value& v : monitor.property.values) {
       const auto* compare = std::get_if<ir::AtLeast>(&v.op);
       const auto bound = compare
@@ -209,10 +207,14 @@ class WellFormed {
       for (const ir::ZoneTable* table : bases_of(zone)) {
         const auto exact = table->tree.exact_inside_mm;
         if (!exact || *exact >= enough) continue;
-        too_short(monitor, zone, *table, *exact, need);
+        too_short(of, monitor, zone, *table, *exact, need);
         return;
       }
     }
+  }
+  static std::int64_t reach_at_full_speed_mm(const ir::Decision& d, std::int64_t lookahead_us) {
+    return disc_mm(d.body, d.motions[0], d.motions[0].speed_mmps,
+                   horizon_us_max(d.body, lookahead_us) + d.return_extra_us);
   }
   // The tables of its edges.
   std::vector<const ir::ZoneTable*> bases_of(ir::ZoneIndex zone) const {
@@ -221,8 +223,17 @@ class WellFormed {
     for (const auto& slab : module_[zone].slabs) all.push_back(&module_[slab.base]);
     return all;
   }
-  void too_short(const ir::Monitor& monitor, ir::ZoneIndex index, const ir::ZoneTable& zone,
-                 std::int64_t exact_mm, std::int64_t need_mm) {
+  void too_short(const Decided& of, const ir::Monitor& monitor, ir::ZoneIndex index,
+                 const ir::ZoneTable& zone, std::int64_t exact_mm, std::int64_t need_mm) {
+    const std::int64_t ahead_us = monitor.lookahead.duration_us;
+    const std::int64_t asked_mm = need_mm - reach_at_full_speed_mm(of.decision, ahead_us);
+    const auto numbers =
+        repairs(of.written, of.trials, fault_of(Code::too_many_edges, source_of(index)),
+                [&](const Trial& t) {
+                  return reach_at_full_speed_mm(t.decision, std::min(ahead_us, covering_us(t))) +
+                             asked_mm <=
+                         exact_mm;
+                });
     diag::Diagnostic d{};
     d.code = Code::too_many_edges;
     d.range = source_of(index);
@@ -231,7 +242,8 @@ class WellFormed {
                 " edges, in tables of 64 bytes an edge and 64 KiB";
     d.notes.push_back({std::nullopt, "monitor `" + monitor.name + "` needs a clearance of " +
                                          metres(need_mm) + " at full speed"});
-    d.help = "fewer vertices, a shorter `ahead` or a lower `speed` work";
+    d.help = numbers.empty() ? "fewer vertices are needed, a shorter `ahead` or a lower `speed`"
+                             : joined(numbers) + " works; else fewer vertices are needed";
     diagnostics_.report(std::move(d));
   }
 

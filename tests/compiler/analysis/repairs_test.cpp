@@ -38,6 +38,29 @@ TEST(Repairs, TheLargestPushOf5005Works) {
   }
 }
 
+// A hall whose wall is a saw of 5 cm: its distances are exact near the wall alone.
+TEST(Repairs, TheSpeedOf4011WorksAndAnotherFivePercentDoNot) {
+  std::string saw = "polygon [";
+  for (int i = 0; i < 4000; ++i) {
+    const double angle = 2 * M_PI * i / 4000, deep = i % 2 * 0.05;
+    saw += (i > 0 ? ", (" : "(") + std::to_string((14 - deep) * std::cos(angle)) + " m, " +
+           std::to_string((9 - deep) * std::sin(angle)) + " m)";
+  }
+  const std::string fast =
+      edited(edited(edited(drone_spec(), "rectangle (0 m, 0 m) to (5 m, 5 m)", saw + "]"),
+                    "speed <= 1 m/s", "speed <= 2 m/s"),
+             "100 ms, 2 waypoints", "100 ms");
+  const auto c = compiled(fast);
+  ASSERT_TRUE(has(*c, Code::too_many_edges)) << reports(*c);
+  const std::string most = number_in_help(*c, Code::too_many_edges, "robot of at most ", "m/s");
+  const auto at = [&](double speed) {
+    return without_offers(
+        edited(fast, "speed <= 2 m/s", "speed <= " + std::to_string(speed) + " m/s"));
+  };
+  EXPECT_FALSE(has(*at(std::stod(most)), Code::too_many_edges)) << most;
+  EXPECT_TRUE(has(*at(1.05 * std::stod(most)), Code::too_many_edges)) << most;
+}
+
 TEST(Repairs, AnExternalRecoveryNeedsTwoPeriods) {
   const std::string external =
       edited(edited(edited(drone_spec(), "= retreat within room speed 0.3 m/s",
