@@ -7,6 +7,7 @@
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
+#include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -227,10 +228,13 @@ Found Claims::landing(const Values& v) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   const bool high = !keeps_heights(*m->always, true, milli(*end), milli(*gap));
-  bool elsewhere = !all_zones(*m->always).empty();
+  bool elsewhere = m->return_when || !all_zones(*m->always).empty() ||
+                   judges_robots(spec_, *d, *m->always) || !spoken_of(spec_, *m->always).empty();
   sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
-    elsewhere = elsewhere || std::holds_alternative<sema::Distance>(e.node) ||
-                std::holds_alternative<sema::AgentDistance>(e.node);
+    const auto* const signal = std::get_if<sema::SignalRef>(&e.node);
+    elsewhere = elsewhere || std::holds_alternative<sema::AgentDistance>(e.node) ||
+                std::holds_alternative<sema::EnergyTo>(e.node) ||
+                (signal != nullptr && signal->signal != sema::Signal::altitude);
   });
   if (high) return wrong("the landing ends too high, or too low");
   if (elsewhere) return wrong("the property asks for more than a height");
@@ -284,6 +288,8 @@ Found Claims::ways(const Values& v) {
   if (const auto way = sema::route_of(spec_[*m->recover])) {
     for (const auto& place : spec_[way->site].places) {
       sites.push_back({place.position.x, place.position.y});
+      if (zones_.clear(*zone, sites.back(), milli(*back))) continue;
+      return wrong("a site of the recovery is nearer to the boundary than control is given back");
     }
   }
   const auto found = without_way(*region, {*cell, *x, *y}, spec_[d->kind].radius.value,

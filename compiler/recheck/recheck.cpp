@@ -19,6 +19,7 @@
 #include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
+#include "compiler/sema/openings.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -318,7 +319,7 @@ class Check {
       const bool of_all = c.what == "at_once" && c.values.count("monitor") == 0;
       if (of_all && text(c.values, "decision") == d.name) said.push_back(&c);
     }
-    if (said.empty() && asks_at_once(spec_, said_by(spec_, d, ""))) {
+    if (said.empty() && asks_at_once(spec_, d, "")) {
       fail(whom(d, e) + ": it rests on no claim `at_once`");
     }
     if (said.size() > 1) fail(whom(d, e) + ": inputs are said to be several things at once");
@@ -381,19 +382,55 @@ class Check {
       }
     }
   }
+  // The heights of its claims, one of which there has to be where any of these is asked for.
+  std::set<std::string> heights_said(const sema::Decision& d, const Entry& e,
+                                     const std::set<std::string>& alone) {
+    const bool high = std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
+      return !alone.contains(spec_[id].name) && speaks_of_height(*spec_[id].always);
+    });
+    if (high && !has(e, "height", {{"decision", d.name}})) {
+      fail(whom(d, e) + ": nothing is said of the height");
+    }
+    std::set<std::string> heights;
+    for (const Claim& c : e.claims) {
+      if (c.what != "height") continue;
+      heights.insert(text(c.values, "z_mm"));
+      if (!std::ranges::includes(alone, names_in(text(c.values, "but")))) {
+        fail(whom(d, e) + ": it leaves out what inputs alone do not make true");
+      }
+    }
+    return heights;
+  }
+  // Of what monitors ask of zones that come and go, none is there for as long as they look ahead,
+  // and another minute.
+  void gone_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& alone) {
+    std::vector<const sema::Expr*> said;
+    Rational ahead = 60;
+    for (const sema::MonitorId id : d.priority) {
+      const sema::Monitor& m = spec_[id];
+      if (m.ahead.waypoints_only || alone.contains(m.name)) continue;
+      said.push_back(m.always.get());
+      if (m.ahead.duration) ahead = std::max(ahead, Rational(m.ahead.duration->value + 60));
+    }
+    if (sema::are_ever_gone(spec_, said, floor_to_int(ahead))) return;
+    fail(whom(d, e) + ": zones that come and go may never be gone at once");
+  }
   void joint(const sema::Decision& d, const Entry& e) {
     apart(d, e);
     const Claim* const told = told_at_once(d, e);
     not_torn(d, e, "", told);
     // which ask for no place then
     const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
+    gone_at_once(d, e, alone);
     if (has(e, "no_fences", {{"decision", d.name}})) {
       for (const sema::MonitorId id : d.priority) {
         if (!spec_[id].ahead.waypoints_only) in_its_zones(d, e, spec_[id], told, {});
       }
+      (void)heights_said(d, e, alone);
       return;
     }
-    std::set<std::string> zones, places, heights, named;
+    std::set<std::string> zones, places, named;
+    std::set<std::string> heights = heights_said(d, e, alone);
     std::string height;
     const auto asks = [&](sema::MonitorId id) {
       return !spec_[id].ahead.waypoints_only && !alone.contains(spec_[id].name);
@@ -423,18 +460,10 @@ class Check {
       return spec_[id].return_when != nullptr;
     });
     if (asked) need(d, e, "returned");
-    const bool high = std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
-      return !alone.contains(spec_[id].name) && speaks_of_height(*spec_[id].always);
-    });
-    if (high && !has(e, "height", {{"decision", d.name}})) {
-      fail(whom(d, e) + ": nothing is said of the height");
-    }
-    for (const Claim& c : e.claims) {
-      if (c.what != "height") continue;
-      heights.insert(text(c.values, "z_mm"));
-      if (!std::ranges::includes(alone, names_in(text(c.values, "but")))) {
-        fail(whom(d, e) + ": it leaves out what inputs alone do not make true");
-      }
+    for (const sema::MonitorId id : d.priority) {
+      const auto& when = spec_[id].return_when;
+      if (!when || !judges_robots(spec_, d, *when) || distance_asked(spec_, d, *when)) continue;
+      fail(whom(d, e) + ": `return when` of `" + spec_[id].name + "` may not hold of all robots");
     }
     if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1 || heights.size() > 1) fail(whom(d, e) + ": it is not one place");
@@ -451,7 +480,11 @@ class Check {
     const Rational error = numbers_of(spec_, d, jitter_of(spec_, d)).position_error;
     Rational most = 0;
     for (const sema::MonitorId id : d.priority) {
-      const auto asked = distance_asked(spec_, d, *spec_[id].always);
+      auto asked = distance_asked(spec_, d, *spec_[id].always);
+      if (const auto& when = spec_[id].return_when) {
+        const auto also = distance_asked(spec_, d, *when);
+        if (also && (!asked || *also > *asked)) asked = also;
+      }
       if (!asked || *asked <= 0) continue;
       most = std::max(most,
                       Rational(*asked + 2 * error + claims_.return_clearance(d, spec_[id], extra) +
@@ -644,11 +677,11 @@ class Check {
     }
   }
   // How clear of its zone a recovery leads to, as it claims; 0: it leads nowhere.
-  static Rational left_by(const Entry& e) {
+  static Rational left_by(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     const std::pair<const char*, const char*> kinds[] = {{"ways", "return_mm"},
                                                          {"legs", "clearance_mm"}};
     for (const auto& [what, key] : kinds) {
-      const Claim* const claim = claim_of(e, what);
+      const Claim* const claim = claim_with(e, what, {{"decision", d.name}, {"monitor", m.name}});
       const auto mm = claim != nullptr ? number(claim->values, key) : std::nullopt;
       if (mm) return Rational(static_cast<long>(*mm)) / 1000;
     }
@@ -662,11 +695,14 @@ class Check {
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     not_torn(d, e, m.name, claim_with(e, "at_once", {{"decision", d.name}, {"monitor", m.name}}));
-    if (asks_at_once(spec_, said_by(spec_, d, m.name))) {
+    if (asks_at_once(spec_, d, m.name)) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }
     if (m.recover) charged(d, e, spec_[*m.recover], m);
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
+    if (m.recover && !makes_way(spec_[d.kind], d, spec_[*m.recover])) {
+      return fail(whom(d, e) + ": `" + spec_[*m.recover].name + "` is too slow to make way");
+    }
     if (m.recover) follows(d, e, spec_[*m.recover]);
     if (m.recover && sema::claim_of(spec_[*m.recover]) && sema::speaks_of_robot(*m.always)) {
       return fail(whom(d, e) + ": of where `" + spec_[*m.recover].name +
@@ -683,7 +719,7 @@ class Check {
     const bool legs = has(e, "legs", {{"decision", d.name}, {"monitor", m.name}});
     if (!legs && moves) need(d, e, "ways", {{"monitor", m.name}});
     if (has(e, "ways")) need(d, e, "lemma", {{"name", "return_reached"}}, false);
-    if (!lets_go(spec_, d, claims_, m, left_by(e))) {
+    if (!lets_go(spec_, d, claims_, m, left_by(d, e, m))) {
       fail(whom(d, e) + ": its `return when` may not hold where the recovery has led to");
     }
     if (Sides(spec_, d, claims_).gives_back(m, return_extra(spec_, d))) return;

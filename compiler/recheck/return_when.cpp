@@ -84,7 +84,7 @@ class Condition {
     const bool of_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
       return term.first.kind == Measured::Kind::distance;
     });
-    if (of_others) return at_ && far(v, at_least);
+    if (of_others) return at_ && far(v, at_least) && (robots_ < 2 || !counts(v));
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();
@@ -97,6 +97,16 @@ class Condition {
     }
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
     return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
+  }
+  static bool counts(const sema::Compare& v) {
+    const auto is_count = [](const sema::Expr& side) {
+      bool found = false;
+      sema::for_each_expr(side, [&](const sema::Expr& part) {
+        found = found || std::holds_alternative<sema::CountOthers>(part.node);
+      });
+      return found;
+    };
+    return is_count(*v.left) || is_count(*v.right);
   }
   // Agents are far away, and no robot is near that could be counted.
   static bool far(const sema::Compare& v, bool at_least) {

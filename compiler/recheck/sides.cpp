@@ -352,7 +352,6 @@ bool Sides::one_holds(sema::ZoneId own, const std::vector<sema::ZoneId>& zones,
 }
 
 bool Sides::gives_back(const sema::Monitor& m, const Rational& extra) {
-  if (speaks_of_windows(*m.always)) return true;  // where it leads to they do not matter (5030)
   const Back found = back(rests_of(m, extra), plain({m.always.get(), true}), false);
   return found != Back::no && found != Back::slow;
 }
@@ -374,7 +373,9 @@ Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) cons
   Rests rests{m, std::nullopt, 0, 0};
   if (m.recover) {
     const auto within = moves_within(spec_[*m.recover]);
-    if (!within.empty()) rests.own = within.back();
+    const auto steps = sema::templates_of(spec_[*m.recover]);
+    const bool stands = !steps.empty() && !sema::moves_of(steps.back());
+    if (!within.empty() && !stands) rests.own = within.back();
   }
   const bool external = m.recover && sema::templates_of(spec_[*m.recover]).empty();
   const Rational least = numbers_.period * (external ? 2 : 1);
@@ -393,6 +394,8 @@ Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) cons
 Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
   if (!sema::speaks_of_robot(*part.expr)) return Back::told;
   const Split parts = split(part);
+  // where it leads to they do not matter (5030)
+  if (!parts.all && speaks_of_windows(*part.expr)) return Back::yes;
   if (!parts.all && !parts.any) return back_of_leaf(rests, part, either);
   std::vector<Back> found;
   for (const Part& each : parts.parts) found.push_back(back(rests, each, either || parts.any));

@@ -93,13 +93,17 @@ class Reader {
   }
   [[nodiscard]] bool compare(const sema::Compare& v, const sema::Expr& e, bool value) const {
     const Known a = number(*v.left), b = number(*v.right);
+    // what inputs decide, and nobody has read, suits nobody
+    if ((!a || !b) && !sema::speaks_of_robot(e) && !told_in(spec_, e).empty()) return true;
     if (!a || !b) return otherwise(e, value);
     const auto is_age = [](const sema::Expr& side) {
       return std::holds_alternative<sema::AgeOf>(side.node);
     };
     const bool of_age = is_age(*v.left) || is_age(*v.right);
     // how old it is, within what is declared, is as it suits
-    if (of_age && is_between(v.op, *a, *b, !value)) return anyhow_;
+    if (of_age && is_between(v.op, *a, *b, !value) && is_between(v.op, *a, *b, value)) {
+      return anyhow_;
+    }
     return is_between(v.op, *a, *b, value);
   }
   static bool is_between(sema::CompareOp op, const Bounds& a, const Bounds& b, bool value) {
@@ -150,6 +154,7 @@ class Reader {
                              v->op == sema::AggregateOp::mean;
       return of_values ? number(*v->operand) : std::nullopt;
     }
+    if (const auto* v = std::get_if<sema::Choice>(&e.node)) return choice(*v);
     std::vector<Bounds> of;
     const auto* const sum = std::get_if<sema::Arithmetic>(&e.node);
     const auto* const math = std::get_if<sema::Math>(&e.node);
@@ -160,6 +165,14 @@ class Reader {
       of.push_back(*each);
     }
     return sum != nullptr ? arithmetic(*sum, of) : extreme(math->op, of);
+  }
+  [[nodiscard]] Known choice(const sema::Choice& v) const {
+    const Known yes = number(*v.then_value), no = number(*v.else_value);
+    if (!yes || !no || sema::speaks_of_robot(*v.condition)) return std::nullopt;
+    const bool may_be = can_be(*v.condition, true, true),
+               need_not = can_be(*v.condition, false, true);
+    if (may_be != need_not) return may_be ? yes : no;
+    return Bounds{std::min(yes->lo, no->lo), std::max(yes->hi, no->hi)};
   }
   static Known arithmetic(const sema::Arithmetic& v, const std::vector<Bounds>& of) {
     Bounds all = of.front();
@@ -358,9 +371,14 @@ std::optional<Doubt> Claims::told(const Values& v) {
   return std::nullopt;
 }
 
-bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
+bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only) {
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if (!only.empty() && m.name != only) continue;
+    if (m.return_when && !spoken_of(spec, *m.return_when).empty()) return true;
+  }
   std::set<sema::InputId> known;
-  for (const sema::Expr* each : all) {
+  for (const sema::Expr* each : said_by(spec, d, only)) {
     for (const sema::InputId id : spoken_of(spec, *each)) {
       if (!known.insert(id).second) return true;
     }

@@ -27,8 +27,9 @@ std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
 // What the monitors of a decision say, and ask for to return; or `only` one of them.
 std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
                                        const std::string& only);
-// Whether two of these speak of one input, so that they may exclude each other.
-bool asks_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
+// Whether two of these speak of one input, so that they may exclude each other, or a `return when`
+// of any, which may never be so.
+bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as
 // long as it takes, and what no input decides is as it suits. It is then true whatever the errors,
 // and false where there are none.

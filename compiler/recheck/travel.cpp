@@ -263,6 +263,13 @@ std::optional<Travel> travel_of(const sema::RobotKind& kind, const sema::Decisio
 
 }  // namespace
 
+bool makes_way(const sema::RobotKind& kind, const sema::Decision& decision,
+               const sema::Controller& recovery) {
+  return std::ranges::all_of(sema::templates_of(recovery), [&](const sema::Template& step) {
+    return !sema::speed_of(step) || travel_of(kind, decision, {step});
+  });
+}
+
 bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decision,
                       const sema::Controller& recovery) {
   if (!kind.in_space) return true;

@@ -36,6 +36,9 @@ bool follows_its_hold(const sema::RobotKind& kind, const sema::Decision& decisio
 // nullopt: as above, or it moves in space.
 std::optional<Rational> leaving_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                         const sema::Controller& recovery, const Rational& way);
+// Whether each step of a recovery that drives gets on against what errs and pushes.
+bool makes_way(const sema::RobotKind& kind, const sema::Decision& decision,
+               const sema::Controller& recovery);
 // What every way has room for beside it.
 inline const Rational beside_least(1, 20);
 // How far beside its leg a recovery of the plane comes that means to be so fast, what pushes it

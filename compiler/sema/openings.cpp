@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cstdio>
 
+#include "compiler/sema/visit.h"
+
 namespace rtac::sema {
 namespace {
 
@@ -213,6 +215,69 @@ std::vector<Opening> check_openings(Context& context, const std::vector<syntax::
     if (opening) openings.push_back(*opening);
   }
   return openings;
+}
+
+namespace {
+
+constexpr std::int64_t week_s = 7 * day_s;
+
+// The Monday at whose midnight the week of a moment begins.
+std::int64_t week_of(std::int64_t s) {
+  constexpr std::int64_t first_monday_s = 4 * day_s;  // 1970-01-05
+  const std::int64_t since = s - first_monday_s;
+  return s - (since % week_s + week_s) % week_s;
+}
+// Whether a window begins before `s + lasting_s`, and ends after `s`.
+bool is_within(const Opening& opening, std::int64_t s, std::int64_t lasting_s) {
+  const auto meets = [&](std::int64_t midnight_s) {
+    return midnight_s + opening.from_s < s + lasting_s && midnight_s + opening.until_s > s;
+  };
+  if (opening.days == 0) return meets(0);
+  for (std::int64_t day = -7; day < 14; ++day) {
+    const auto of_week = static_cast<unsigned>((day + 7) % 7);
+    if ((opening.days >> of_week & 1U) != 0 && meets(week_of(s) + day * day_s)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool are_ever_gone(const Spec& spec, const std::vector<const Expr*>& speaking,
+                   std::int64_t lasting_s) {
+  std::vector<Opening> all;
+  const auto add = [&](ZoneId id) {
+    all.insert(all.end(), spec[id].openings.begin(), spec[id].openings.end());
+  };
+  for (const Expr* each : speaking) {
+    for_each_expr(*each, [&](const Expr& part) {
+      if (const auto* v = std::get_if<ZoneOpen>(&part.node)) add(v->zone);
+      const auto* v = std::get_if<WhileOpen>(&part.node);
+      const auto* zone = v != nullptr ? std::get_if<ZoneId>(&v->what) : nullptr;
+      if (zone != nullptr) add(*zone);
+    });
+  }
+  std::int64_t first_s = 0, last_s = 0;
+  std::vector<std::int64_t> moments;
+  for (const Opening& opening : all) {
+    if (opening.days != 0) continue;
+    if (opening.from_s > since_ever_s) first_s = std::min(first_s, opening.from_s);
+    if (opening.until_s == for_ever_s) continue;
+    last_s = std::max(last_s, opening.until_s);
+    moments.push_back(opening.until_s);
+  }
+  for (const std::int64_t week : {week_of(first_s) - 2 * week_s, week_of(last_s) + 2 * week_s}) {
+    moments.push_back(week);
+    for (const Opening& opening : all) {
+      for (std::int64_t day = 0; opening.days != 0 && day < 7; ++day) {
+        if ((opening.days >> static_cast<unsigned>(day) & 1U) == 0) continue;
+        moments.push_back(week + day * day_s + opening.until_s);
+      }
+    }
+  }
+  return std::ranges::any_of(moments, [&](std::int64_t s) {
+    return std::ranges::none_of(
+        all, [&](const Opening& opening) { return is_within(opening, s, lasting_s); });
+  });
 }
 
 std::string text_of(const Opening& opening) {

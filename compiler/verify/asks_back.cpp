@@ -35,12 +35,18 @@ class AsksBack {
     bool known = true;  // it asks for these zones, and for nothing else of the place
     std::vector<Need> zones{};
     bool one_of_several = false;
+    bool of_others = false;            // it asks for distances, which there has to be room for
+    bool is_choice_of_others = false;  // or for something else instead
     std::int64_t low_mm = JointNeeds().low_mm, high_mm = JointNeeds().high_mm;
     [[nodiscard]] bool of_places() const {
       return !zones.empty() || low_mm != JointNeeds().low_mm || high_mm != JointNeeds().high_mm;
     }
   };
-  [[nodiscard]] Part run() const { return of(*monitor_.return_when, monitor_.return_when->result); }
+  [[nodiscard]] Part run() const {
+    Part all = of(*monitor_.return_when, monitor_.return_when->result);
+    all.known = all.known && (is_alone() || !all.is_choice_of_others);
+    return all;
+  }
 
  private:
   [[nodiscard]] Part of(const ir::Block& block, ir::ValueId id) const {
@@ -66,7 +72,7 @@ class AsksBack {
     if (const auto* v = std::get_if<ir::Not>(&op)) return {told(block, v->a)};
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
       if (!v->universal) return {false};
-      return decision_.robots < 2 ? Part{} : of(*v->body, v->body->result);
+      return is_alone() ? Part{} : of(*v->body, v->body->result);
     }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     return compare != nullptr ? comparison(block, *compare) : Part{false};
@@ -77,8 +83,11 @@ class AsksBack {
            std::holds_alternative<ir::InputTruth>(block[id].op) ||
            std::holds_alternative<ir::InputIs>(block[id].op);
   }
+  [[nodiscard]] bool is_alone() const { return decision_.robots < 2 && !decision_.open_fleet; }
   static Part both(Part a, const Part& b) {
     a.known = a.known && b.known;
+    a.of_others = a.of_others || b.of_others;
+    a.is_choice_of_others = a.is_choice_of_others || b.is_choice_of_others;
     a.one_of_several = a.one_of_several || b.one_of_several;
     for (const Need& need : b.zones) add(a.zones, need);
     a.low_mm = std::max(a.low_mm, b.low_mm);
@@ -90,6 +99,7 @@ class AsksBack {
     if (!a.known || (b.known && !b.of_places())) std::swap(a, b);
     if (!a.known) return {false};  // what both sides ask for is no more than a guess
     a.one_of_several = a.one_of_several || a.of_places();
+    a.is_choice_of_others = a.is_choice_of_others || a.of_others;
     return a;
   }
   [[nodiscard]] Part comparison(const ir::Block& block, const ir::AtLeast& compare) const {
@@ -117,8 +127,10 @@ class AsksBack {
     if (is(most, Kind::speed)) {
       return {most->most >= analysis::shown_speed_mmps(decision_, motion_)};
     }
-    return {is(least, Kind::battery) || is(least, Kind::distance) || is(least, Kind::agent) ||
-            is(most, Kind::count)};
+    Part part{is(least, Kind::battery) || is(least, Kind::distance) || is(least, Kind::agent) ||
+              (is(most, Kind::count) && is_alone())};
+    part.of_others = is(least, Kind::distance);
+    return part;
   }
 
   const ir::Decision& decision_;

@@ -51,11 +51,15 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
   if (o.status != Status::proved) return o;
   std::vector<const sema::Expr*> said, alone;
   std::string names;
+  bool asks_to_return = false;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     if (only && k != *only) continue;
     const sema::Monitor& m = s.monitor(k);
     (s.told.contains(k) ? alone : said).push_back(m.always.get());
-    if (m.return_when) said.push_back(m.return_when.get());
+    if (m.return_when) {
+      said.push_back(m.return_when.get());
+      asks_to_return = asks_to_return || !analysis::inputs_in(s.spec, *m.return_when).empty();
+    }
     names += (names.empty() ? "" : ", ") + quoted(m.name);
   }
   std::vector<const sema::Expr*> all = said;
@@ -72,8 +76,8 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     alone.insert(alone.end(), parts.begin(), parts.end());
     if (torn.empty() && !parts.empty()) torn = m.name;
   }
-  // else each can be so by itself
-  if (alone.empty() && !analysis::share_inputs(s.spec, said)) return o;
+  // else each can be so by itself, as is asked of what is said (satisfiable)
+  if (alone.empty() && !asks_to_return && !analysis::share_inputs(s.spec, said)) return o;
   const analysis::Told told = analysis::told_at_once(s.spec, said, alone);
   if (told.can == analysis::CanBeTold::yes) {
     Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};

@@ -1,4 +1,7 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
+#include <algorithm>
+#include <cmath>
+
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/repairs.h"
@@ -52,7 +55,8 @@ std::int64_t kept_mm(const ir::Decision& d, const ir::Monitor& m) {
 geometry::PartingQuery query_of(const Subject& s, const ir::Monitor& m) {
   const ir::Decision& d = s.decision;
   const auto mm = [](std::int64_t length_mm) {
-    return static_cast<std::int32_t>(std::max<std::int64_t>(length_mm, 0));
+    constexpr std::int64_t off_grid_mm = 1 << 30;  // farther than any two places of a zone
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(length_mm, 0, off_grid_mm));
   };
   const ir::Recovery& yield = ir::last_step(m.recovery);
   const std::int64_t error_mm = d.body.position_error_mm;
@@ -192,8 +196,12 @@ std::optional<Start> near_start(const Subject& s, const ir::Monitor& m,
 NoWay no_way(const Subject& s, const ir::Monitor& m, const geometry::PartingQuery& query) {
   const ir::Recovery& yield = ir::last_step(m.recovery);
   const ir::ZoneTable& zone = s.module[yield.zone];
-  const geometry::Parting found =
-      geometry::parting(analysis::edges_of(zone), analysis::grid_of(zone), query);
+  const geometry::CellGrid cells = analysis::grid_of(zone);
+  if (query.goal_mm > cells.cell_mm * std::hypot(cells.columns, cells.rows)) {
+    return {"no two places of " + quoted(zone.name) + " are " + metres(yield.pass_gap_mm) +
+            " apart, as far as a robot that makes way drives from the other one"};
+  }
+  const geometry::Parting found = geometry::parting(analysis::edges_of(zone), cells, query);
   if (found.how == geometry::Parting::How::too_large) {
     return {quoted(zone.name) + " has too many pairs of cells to look at all of them, and " +
             "that one of two robots finds a way out of the other's is not shown"};

@@ -14,6 +14,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/vacuous.h"
 #include "compiler/geometry/crowding.h"
+#include "compiler/sema/openings.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/about_recovery.h"
@@ -448,7 +449,7 @@ Obligation together(const Subject& s, const JointNeeds& needs) {
     o.because = std::move(near);
     return o;
   }
-  if (all.empty()) {
+  if (all.empty() && !asks_for_height(s, needs)) {
     if (!needs.open.empty()) return returns_open(needs, std::move(o));
     o.status = Status::proved;
     o.because = "no monitor asks for a place";
@@ -543,6 +544,19 @@ std::string never_so_far_apart(const Subject& s) {
   return "";
 }
 
+// For as long as any monitor looks ahead, and another minute, which is more than samples, latency
+// and the return take.
+bool are_windows_ever_gone(const Subject& s) {
+  std::vector<const sema::Expr*> said;
+  std::int64_t ahead_us = 0;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    if (!s.looks_at_places(k)) continue;
+    said.push_back(s.monitor(k).always.get());
+    ahead_us = std::max(ahead_us, s.decision.monitors[k].lookahead.duration_us);
+  }
+  return sema::are_ever_gone(s.spec, said, ahead_us / 1'000'000 + 60);
+}
+
 Obligation returned_as_they_say(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -561,6 +575,11 @@ Obligation returned_as_they_say(const Subject& s) {
                   [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
     o.method = "no proof";
     o.because = "what zone will be received is not known, and so no place that it leaves free";
+    return o;
+  }
+  if (!are_windows_ever_gone(s)) {
+    o.method = "no proof";
+    o.because = "no moment was found at which all zones that come and go are gone";
     return o;
   }
   std::vector<const ir::Monitor*> looking;

@@ -69,7 +69,7 @@ Band band_of(const Subject& s) {
       if (least && least->leaf.kind == ir::Leaf::Kind::altitude) {
         band.asked = true;
         band.gap_mm = std::max(band.gap_mm, gap);
-        band.least_mm = std::max(band.least_mm, least->need.fixed + gap);
+        band.least_mm = std::max(band.least_mm, least->need.strictest + gap);
       }
     });
   }
@@ -119,6 +119,9 @@ class Together {
       for (Claim& claim : returned_claims(s_, spot->x_mm, spot->y_mm, spot->z_mm)) {
         o.claims.push_back(std::move(claim));
       }
+      if (o.claims.empty()) {
+        o.claims.push_back({"no_fences", {{"decision", s_.decision.name}}});
+      }
       if (band_.asked) {
         o.claims.push_back({"height",
                             {{"decision", s_.decision.name},
@@ -127,6 +130,7 @@ class Together {
                              {"gap_mm", std::to_string(band_.gap_mm)}}});
         if (!s_.told.empty()) o.claims.back().values["but"] = names_of_told(s_);
       }
+      if (joint_.zones.empty()) return o;
       return all_at_once(s_, joint_.zones, floor_at(spot->z_mm), std::move(o));
     }
     const bool none = common(3, true).empty() || common(3, false).empty();
@@ -134,6 +138,13 @@ class Together {
     if (o.status == Status::unknown) {
       o.because = "a place where all monitors give control back was not found";
       if (band_.beside_others) o.because += " at heights that suit each side of what they say";
+      return o;
+    }
+    if (needs_.empty()) {
+      o.because = "at no height all monitors give control back: it would have to be above " +
+                  metres(band_.least_mm) + " and below " + metres(band_.most_mm);
+      o.repair = "limits of height that are " + metres(band_.least_mm - band_.most_mm) +
+                 " further apart, a shorter `ahead` or a lower `speed` are needed";
       return o;
     }
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
@@ -170,6 +181,9 @@ class Together {
     return floor;
   }
   [[nodiscard]] std::optional<Spot> find() const {
+    if (needs_.empty() && band_.least_mm <= band_.most_mm) {
+      return Spot{0, 0, std::clamp<std::int64_t>(0, band_.least_mm, band_.most_mm)};
+    }
     for (const Need& need : needs_) {
       const ir::ZoneTable& zone = s_.module[need.zone];
       Spot spot{zone.widest_x_mm, zone.widest_y_mm, zone.has_height() ? zone.widest_z_mm : 0};
@@ -220,6 +234,11 @@ analysis::ExactSolid any_solid(const Subject& s) {
   return [&s](ir::ZoneIndex zone) {
     return s.module[zone].has_height() ? s.solid(zone) : analysis::without_end(s.exact(zone));
   };
+}
+
+bool asks_for_height(const Subject& s, const JointNeeds& needs) {
+  return band_of(s).asked || needs.low_mm != JointNeeds().low_mm ||
+         needs.high_mm != JointNeeds().high_mm;
 }
 
 bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer) {

@@ -142,6 +142,8 @@ analysis::HowItLies how_it_lies(const Subject& s);
 analysis::ExactSolid any_solid(const Subject& s);
 // Whether one zone lies in another, in the plane or in space.
 bool lies_in(const Subject& s, ir::ZoneIndex inner, ir::ZoneIndex outer);
+// Whether monitors ask for a height where they give control back.
+bool asks_for_height(const Subject& s, const JointNeeds& needs);
 // In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.
 Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs);
 Obligation legs_back(const Subject& s, std::size_t k);

@@ -7,6 +7,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/straight_in.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/atoms.h"
@@ -30,15 +31,7 @@ class Rest {
         return_mm_(analysis::return_clearance_mm(s.decision, monitor_.lookahead.duration_us)),
         from_rest_mmps_(analysis::fastest_from_rest(s.decision, monitor_.lookahead.duration_us)) {}
 
-  // Of zones that come and go: the recovery leads to where they do not matter (5030).
-  AtRest judge() {
-    const auto& values = monitor_.property.values;
-    const bool windows = std::any_of(values.begin(), values.end(), [](const ir::Value& v) {
-      return std::holds_alternative<ir::ZoneThere>(v.op);
-    });
-    if (windows) return AtRest::given_back;
-    return judge(monitor_.property, monitor_.property.result, false);
-  }
+  AtRest judge() { return judge(monitor_.property, monitor_.property.result, false); }
   [[nodiscard]] bool by_others() const { return others_; }
   // Where it is stuck between the sides of an `or`.
   [[nodiscard]] const std::optional<geometry::Point>& stuck() const { return stuck_; }
@@ -55,6 +48,8 @@ class Rest {
       }
       return a == AtRest::told && b == AtRest::told ? AtRest::told : AtRest::given_back;
     }
+    // of zones that come and go: the recovery leads to where they do not matter (5030)
+    if (analysis::speaks_of_windows(block, id)) return AtRest::given_back;
     if (const auto* v = std::get_if<ir::Or>(&op)) return choice(block, id, *v);
     if (const auto* compare = std::get_if<ir::AtLeast>(&op)) {
       return comparison(block, *compare, of_choice);

@@ -50,7 +50,10 @@ Apart apart_of(const Subject& s) {
   const ir::Decision& d = s.decision;
   Apart most;
   for (const ir::Monitor& m : d.monitors) {
-    const std::int64_t asked_mm = analysis::sure_separation_mm(m.property, d.facts.params);
+    std::int64_t asked_mm = analysis::sure_separation_mm(m.property, d.facts.params);
+    if (m.return_when) {
+      asked_mm = std::max(asked_mm, analysis::sure_separation_mm(*m.return_when, d.facts.params));
+    }
     if (asked_mm == 0) continue;
     const std::int64_t ahead_us = m.lookahead.duration ? m.lookahead.duration_us : 0;
     const std::int64_t centres_mm =
