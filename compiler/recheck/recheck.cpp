@@ -10,6 +10,7 @@
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/joint.h"
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/lemmas.h"
 #include "compiler/recheck/return_when.h"
@@ -63,10 +64,6 @@ class Check {
 
  private:
   void fail(std::string why) { out_.failed.push_back(std::move(why)); }
-  static std::string whom(const sema::Decision& d, const Entry& e) {
-    return d.name + ", " + e.kind + (e.monitor.empty() ? "" : " of `" + e.monitor + "`") +
-           (e.recovery.empty() ? "" : " while `" + e.recovery + "` drives");
-  }
 
   // A second part of a decision, or one of none, would stand there as if somebody had looked at it.
   void spoken_of_once(const std::vector<Part>& parts) {
@@ -202,18 +199,6 @@ class Check {
     return false;
   }
 
-  static const Claim* claim_with(const Entry& e, const std::string& what, const Values& values) {
-    const auto found = std::ranges::find_if(e.claims, [&](const Claim& c) {
-      return c.what == what && std::all_of(values.begin(), values.end(), [&](const auto& v) {
-               const auto at = c.values.find(v.first);
-               return at != c.values.end() && at->second == v.second;
-             });
-    });
-    return found == e.claims.end() ? nullptr : &*found;
-  }
-  static bool has(const Entry& e, const std::string& what, const Values& values = {}) {
-    return claim_with(e, what, values) != nullptr;
-  }
   void need(const sema::Decision& d, const Entry& e, const std::string& what, Values values = {},
             bool named = true) {
     if (named) values["decision"] = d.name;
@@ -228,7 +213,11 @@ class Check {
     if (e.kind == switching) return need(d, e, "protocol");
     if (d.on_plan && e.kind != "satisfiable") return need(d, e, "judged");
     if (e.kind == "P1a") return need(d, e, "horizon", of_monitor);
-    if (e.kind == "joint return") return joint(d, e);
+    if (e.kind == "joint return") {
+      for (const std::string& why : doubts_of_return(spec_, d, e, claims_))
+        fail(whom(d, e) + ": " + why);
+      return;
+    }
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr) return fail(whom(d, e) + ": there is no such monitor");
     if (e.kind == "not vacuous") {
@@ -279,251 +268,14 @@ class Check {
     if (places.size() > 1 || heights.size() > 1) {
       fail(whom(d, e) + ": it is not one place that is seen to be in all of its zones");
     }
-    one_side_each(d, e, m, zones);
-  }
-  void one_side_each(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
-                     const std::set<std::string>& zones) {
-    for (const auto& sides : sides_at_once(*m.always)) {
-      const bool some = std::ranges::any_of(
-          sides, [&](sema::ZoneId zone) { return zones.count(claims_.zones().name(zone)) != 0; });
-      if (!some) fail(whom(d, e) + ": nothing is said of any side of an `or`");
+    if (!is_on_each_side(claims_.zones(), *m.always, zones)) {
+      fail(whom(d, e) + ": nothing is said of any side of an `or`");
     }
   }
   const sema::Monitor* monitor(const sema::Decision& d, const std::string& name) const {
     return monitor_of(spec_, d, name);
   }
 
-  // No two robots are farther apart than the box of a zone that both are held in, less the body on
-  // each side.
-  void apart(const sema::Decision& d, const Entry& e) {
-    const double radius = spec_[d.kind].radius.value.get_d();
-    double widest = std::numeric_limits<double>::infinity();
-    for (const sema::MonitorId id : d.priority) {
-      for (const sema::ZoneId zone : kept_in(spec_, *spec_[id].always)) {
-        if (const geometry::Region* const region = claims_.zones().region(zone)) {
-          widest = std::min(widest, widest_apart(*region, radius));
-        }
-      }
-    }
-    for (const sema::MonitorId id : d.priority) {
-      const auto asked = distance_asked(spec_, d, *spec_[id].always);
-      if (asked && asked->get_d() + 2 * radius > widest) {
-        fail(whom(d, e) + ": no two robots are so far apart as `" + spec_[id].name + "` asks");
-      }
-    }
-  }
-  // What inputs have to be for all monitors is so at once: the claim of it, if it takes one.
-  const Claim* told_at_once(const sema::Decision& d, const Entry& e) {
-    std::vector<const Claim*> said;
-    for (const Claim& c : e.claims) {
-      const bool of_all = c.what == "at_once" && c.values.count("monitor") == 0;
-      if (of_all && text(c.values, "decision") == d.name) said.push_back(&c);
-    }
-    if (said.empty() && asks_at_once(spec_, d, "")) {
-      fail(whom(d, e) + ": it rests on no claim `at_once`");
-    }
-    if (said.size() > 1) fail(whom(d, e) + ": inputs are said to be several things at once");
-    return said.empty() ? nullptr : said.front();
-  }
-  // What a monitor says is true in these zones of a robot at rest, with inputs as they are said to
-  // be. Of what speaks of none, others are far.
-  void in_its_zones(const sema::Decision& d, const Entry& e, const sema::Monitor& m,
-                    const Claim* told, const std::set<std::string>& zones) {
-    one_side_each(d, e, m, zones);
-    const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
-    if (!inputs) return;  // the claim is wrong
-    const Rational extra = return_extra(spec_, d);
-    for_each_part(*m.always, [&](const sema::Expr& part) {
-      const bool asks_inputs = !spoken_of(spec_, part).empty();
-      const bool of_places = !all_zones(part).empty() || judges_robots(spec_, d, part);
-      if (!of_places || (!asks_inputs && !sema::speaks_of_speed(part) && !is_choice(part))) return;
-      const auto may_be = [&](const sema::Expr& leaf, bool value) {
-        if (!spoken_of(spec_, leaf).empty()) return told == nullptr;
-        const auto asked = all_zones(leaf);
-        const bool missed = !asked.empty() && std::ranges::none_of(asked, [&](sema::ZoneId zone) {
-          return zones.contains(claims_.zones().name(zone));
-        });
-        const bool near = asks_inputs && judges_robots(spec_, d, leaf);
-        return !value &&
-               (missed || near || Sides(spec_, d, claims_).is_exceeded_at_rest(leaf, m, extra));
-      };
-      if (told_makes_true_but(spec_, part, *inputs, may_be)) return;
-      if (Sides(spec_, d, claims_).holds_at_rest(part, m, extra)) return;
-      fail(whom(d, e) + ": of `" + m.name + "` nothing is said of a zone");
-    });
-  }
-  // Some of it may be false.
-  static bool is_choice(const sema::Expr& part) {
-    const auto* const logic = std::get_if<sema::Logic>(&part.node);
-    return logic != nullptr && logic->op != sema::LogicOp::logical_and;
-  }
-  // Each part of an `and`.
-  template <class Visit>
-  static void for_each_part(const sema::Expr& e, const Visit& visit) {
-    const auto* const logic = std::get_if<sema::Logic>(&e.node);
-    if (logic == nullptr || logic->op != sema::LogicOp::logical_and) return visit(e);
-    for (const sema::ExprPtr& each : logic->operands) for_each_part(*each, visit);
-  }
-  // Of all monitors, or of one of them: what inputs or places may make true, inputs do.
-  void not_torn(const sema::Decision& d, const Entry& e, const std::string& only,
-                const Claim* told) {
-    const auto said = said_by(spec_, d, only);
-    const auto inputs = told_inputs(spec_, told ? text(told->values, "inputs") : "");
-    for (const sema::MonitorId id : d.priority) {
-      const sema::Monitor& m = spec_[id];
-      if (!m.return_when || (!only.empty() && m.name != only)) continue;
-      const auto at_rest = [&](const sema::Expr& part) {
-        return is_limit_kept_at_rest(spec_, d, claims_, m, part);
-      };
-      for (const sema::Expr* part : torn_parts(spec_, *m.return_when, said, at_rest)) {
-        if (inputs && told_alone_makes(spec_, *part, *inputs)) continue;
-        fail(whom(d, e) + ": `return when` of `" + m.name +
-             "` may ask for inputs and places that are not at once");
-      }
-    }
-  }
-  // The heights of its claims, one of which there has to be where any of these is asked for.
-  std::set<std::string> heights_said(const sema::Decision& d, const Entry& e,
-                                     const std::set<std::string>& alone) {
-    const bool high = std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
-      return !alone.contains(spec_[id].name) && speaks_of_height(*spec_[id].always);
-    });
-    if (high && !has(e, "height", {{"decision", d.name}})) {
-      fail(whom(d, e) + ": nothing is said of the height");
-    }
-    std::set<std::string> heights;
-    for (const Claim& c : e.claims) {
-      if (c.what != "height") continue;
-      heights.insert(text(c.values, "z_mm"));
-      if (!std::ranges::includes(alone, names_in(text(c.values, "but")))) {
-        fail(whom(d, e) + ": it leaves out what inputs alone do not make true");
-      }
-    }
-    return heights;
-  }
-  // Of what monitors ask of zones that come and go, none is there for as long as they look ahead,
-  // and another minute.
-  void gone_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& alone) {
-    std::vector<const sema::Expr*> said;
-    Rational ahead = 60;
-    for (const sema::MonitorId id : d.priority) {
-      const sema::Monitor& m = spec_[id];
-      if (m.ahead.waypoints_only || alone.contains(m.name)) continue;
-      said.push_back(m.always.get());
-      if (m.ahead.duration) ahead = std::max(ahead, Rational(m.ahead.duration->value + 60));
-    }
-    if (sema::are_ever_gone(spec_, said, floor_to_int(ahead))) return;
-    fail(whom(d, e) + ": zones that come and go may never be gone at once");
-  }
-  void joint(const sema::Decision& d, const Entry& e) {
-    apart(d, e);
-    const Claim* const told = told_at_once(d, e);
-    not_torn(d, e, "", told);
-    // which ask for no place then
-    const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
-    gone_at_once(d, e, alone);
-    if (has(e, "no_fences", {{"decision", d.name}})) {
-      for (const sema::MonitorId id : d.priority) {
-        if (!spec_[id].ahead.waypoints_only) in_its_zones(d, e, spec_[id], told, {});
-      }
-      (void)heights_said(d, e, alone);
-      return;
-    }
-    std::set<std::string> zones, places, named;
-    std::set<std::string> heights = heights_said(d, e, alone);
-    std::string height;
-    const auto asks = [&](sema::MonitorId id) {
-      return !spec_[id].ahead.waypoints_only && !alone.contains(spec_[id].name);
-    };
-    for (const sema::MonitorId id : d.priority) {
-      if (!asks(id)) continue;
-      for (const sema::ZoneId zone : asked_in(spec_, *spec_[id].always)) {
-        zones.insert(claims_.zones().name(zone));
-      }
-    }
-    for (const Claim& c : e.claims) {
-      if (c.what != "place" && c.what != "returned") continue;
-      if (text(c.values, "decision") != d.name || c.values.count("robot") != 0) continue;
-      places.insert(c.values.count("x_mm") + c.values.count("y_mm") == 2
-                        ? c.values.at("x_mm") + " " + c.values.at("y_mm")
-                        : "");
-      if (c.values.count("z_mm") != 0) heights.insert(c.values.at("z_mm"));
-      zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
-      named.insert(text(c.values, "zone"));
-      if (c.what == "place") height = text(c.values, "z_mm");
-    }
-    for (const sema::MonitorId id : d.priority) {
-      if (asks(id)) in_its_zones(d, e, spec_[id], told, named);
-    }
-    if (places.empty()) need(d, e, "no_fences");
-    const bool asked = std::any_of(d.priority.begin(), d.priority.end(), [&](sema::MonitorId id) {
-      return spec_[id].return_when != nullptr;
-    });
-    if (asked) need(d, e, "returned");
-    for (const sema::MonitorId id : d.priority) {
-      const auto& when = spec_[id].return_when;
-      if (!when || !judges_robots(spec_, d, *when) || distance_asked(spec_, d, *when)) continue;
-      fail(whom(d, e) + ": `return when` of `" + spec_[id].name + "` may not hold of all robots");
-    }
-    if (!zones.empty()) fail(whom(d, e) + ": nothing is said of zone `" + *zones.begin() + "`");
-    if (places.size() > 1 || heights.size() > 1) fail(whom(d, e) + ": it is not one place");
-    named.erase("");
-    all_at_once(d, e, named, height);
-  }
-  // How far apart two robots are that are given back both. Neither is held then: each reckons with
-  // its own reach and, from a message that is as old as it may be, with that of the other one; both
-  // are measured beside where they are.
-  Rational both_given_back(const sema::Decision& d) const {
-    const sema::RobotKind& kind = spec_[d.kind];
-    const Rational heard = kind.hears_max_age ? kind.hears_max_age->value : Rational(0);
-    const Rational extra = return_extra(spec_, d);
-    const Rational error = numbers_of(spec_, d, jitter_of(spec_, d)).position_error;
-    Rational most = 0;
-    for (const sema::MonitorId id : d.priority) {
-      auto asked = distance_asked(spec_, d, *spec_[id].always);
-      if (const auto& when = spec_[id].return_when) {
-        const auto also = distance_asked(spec_, d, *when);
-        if (also && (!asked || *also > *asked)) asked = also;
-      }
-      if (!asked || *asked <= 0) continue;
-      most = std::max(most,
-                      Rational(*asked + 2 * error + claims_.return_clearance(d, spec_[id], extra) +
-                               claims_.return_clearance(d, spec_[id], extra + heard)));
-    }
-    return most;
-  }
-  // Of robots that are to be so far apart each has a place in all of these zones.
-  void all_at_once(const sema::Decision& d, const Entry& e, const std::set<std::string>& zones,
-                   const std::string& height) {
-    const auto robots = std::ranges::count(spec_.robots, d.kind, &sema::Robot::kind);
-    const Rational apart = both_given_back(d);
-    if (robots < 2 || apart <= 0 || zones.empty()) return;
-    std::vector<geometry::Point> centres;
-    for (long k = 0; k < robots; ++k) {
-      std::set<std::pair<std::int64_t, std::int64_t>> at;
-      std::set<std::string> left = zones;
-      for (const Claim& c : e.claims) {
-        if (c.what != "place" || text(c.values, "decision") != d.name) continue;
-        if (number(c.values, "robot") != k || text(c.values, "z_mm") != height) continue;
-        const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
-        if (x && y) at.emplace(*x, *y);
-        left.erase(text(c.values, "zone"));
-      }
-      if (at.size() != 1 || !left.empty()) {
-        fail(whom(d, e) + ": there is no place for all robots at once");
-        return;
-      }
-      centres.push_back({milli(at.begin()->first), milli(at.begin()->second)});
-    }
-    for (std::size_t k = 1; k < centres.size(); ++k) {
-      for (std::size_t j = 0; j < k; ++j) {
-        const Rational dx = centres[k].x - centres[j].x, dy = centres[k].y - centres[j].y;
-        if (dx * dx + dy * dy >= apart * apart) continue;
-        fail(whom(d, e) + ": two of its robots are too near to each other");
-        return;
-      }
-    }
-  }
   // Each zone that a recovery moves within lies in each zone that the property keeps the robot in,
   // or it keeps a side of it; and as far from their boundaries as the property asks, unless that
   // of the monitor that it drives for has the robot as far from the boundary of its own zone. Of
@@ -694,7 +446,10 @@ class Check {
            !std::holds_alternative<sema::Yield>(steps.back());
   }
   void returns(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    not_torn(d, e, m.name, claim_with(e, "at_once", {{"decision", d.name}, {"monitor", m.name}}));
+    const Claim* const told = claim_with(e, "at_once", {{"decision", d.name}, {"monitor", m.name}});
+    for (const std::string& why : torn_returns(spec_, d, claims_, m.name, told)) {
+      fail(whom(d, e) + ": " + why);
+    }
     if (asks_at_once(spec_, d, m.name)) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }

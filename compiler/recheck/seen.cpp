@@ -93,4 +93,12 @@ std::string limit_unseen(const sema::Spec& spec, const sema::Decision& decision,
   return "";
 }
 
+bool is_on_each_side(const NamedZones& named, const sema::Expr& property,
+                     const std::set<std::string>& zones) {
+  return std::ranges::all_of(sides_at_once(property), [&](const auto& sides) {
+    return std::ranges::any_of(sides,
+                               [&](sema::ZoneId zone) { return zones.contains(named.name(zone)); });
+  });
+}
+
 }  // namespace rtac::recheck

@@ -71,4 +71,23 @@ bool is_shown(const Entry& entry) {
   return entry.status == "proved" || (entry.status == "acknowledged" && !entry.claims.empty());
 }
 
+const Claim* claim_with(const Entry& e, const std::string& what, const Values& values) {
+  const auto found = std::ranges::find_if(e.claims, [&](const Claim& c) {
+    return c.what == what && std::all_of(values.begin(), values.end(), [&](const auto& v) {
+             const auto at = c.values.find(v.first);
+             return at != c.values.end() && at->second == v.second;
+           });
+  });
+  return found == e.claims.end() ? nullptr : &*found;
+}
+
+bool has(const Entry& e, const std::string& what, const Values& values) {
+  return claim_with(e, what, values) != nullptr;
+}
+
+std::string whom(const sema::Decision& d, const Entry& e) {
+  return d.name + ", " + e.kind + (e.monitor.empty() ? "" : " of `" + e.monitor + "`") +
+         (e.recovery.empty() ? "" : " while `" + e.recovery + "` drives");
+}
+
 }  // namespace rtac::recheck

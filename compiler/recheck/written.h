@@ -25,6 +25,11 @@ std::optional<std::vector<Part>> read_report(const std::string& report);
 const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,
                   const std::string& recovery = "");
 const Claim* claim_of(const Entry& entry, const std::string& what);
+// One of which all of these are so.
+const Claim* claim_with(const Entry& entry, const std::string& what, const Values& values);
+bool has(const Entry& entry, const std::string& what, const Values& values = {});
+// "fly, P2b of `walls`".
+std::string whom(const sema::Decision& d, const Entry& entry);
 // Of the recovery of several monitors: whether it is about what happens while it drives for this
 // one.
 bool speaks_of(const Entry& entry, const sema::Monitor& driving);

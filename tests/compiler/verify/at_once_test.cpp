@@ -333,7 +333,26 @@ TEST_F(AtOnce, AnOrIsTrueByItsInputsOrAtRest) {
     EXPECT_NE(joint_of(report_)["status"], "proved") << open << o.out;
     joint_of(report_) = kept;
     write("certificates/verification.json", report_.dump());
-    EXPECT_EQ(recheck_sealed_anew().status, exit_violation) << open;
+    const Outcome forged = recheck_sealed_anew();
+    EXPECT_EQ(forged.status, exit_violation) << open;
+    EXPECT_NE((forged.out + forged.err).find("inputs and places that are not at once"),
+              std::string::npos)
+        << open << forged.out;
+  }
+}
+// What the language has for numbers and ages of inputs, a recheck reads as well.
+TEST_F(AtOnce, ChoicesOfNumbersAndAgesAreRead) {
+  const std::string in = std::string(off_walls) + " and ", back = "; recover back";
+  proved(asking(in + "load <= (if permit then 60 else 21)" + back,
+                in + "load >= 40" + back + "; return when age(load) <= 1 s"));
+  for (const char* const wrong : {"load.0=45;permit.0=0", "load.0=70;permit.0=1"}) {
+    expect_denied(
+        "joint return",
+        [&](Json& c) {
+          if (c["claim"] == "at_once") c["inputs"] = wrong;
+          return true;
+        },
+        "not all that is asked for need be true");
   }
 }
 // So far apart no two robots are in one zone.

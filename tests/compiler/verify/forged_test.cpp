@@ -153,5 +153,52 @@ TEST_F(Forged, FromAllAroundADockAWayIsKnown) {
   }
 }
 
+// Where a recovery ends, and whether it gets there, is read from the specification.
+TEST_F(Forged, AWayEndsWhereControlIsGivenBack) {
+  const auto page = [](const std::string& recovery) {
+    return "spec ends;\nzone hall = rectangle (0 m, 0 m) to (12 m, 9 m);\nsite home = (6 m, 4.5 "
+           "m);\n" +
+           a_rover + "controller go : safe for Rover = " + recovery +
+           " within hall speed 0.3 m/s;\n"
+           R"(monitor fence for r : Rover { "R1" always clearance(r, hall) >= 10 cm; recover go; }
+decision lead for Rover { advanced drive; period 50 ms; priority fence; }
+)";
+  };
+  prove(page("route to home"));
+  expect_noticed_in("spec.rta", "(6 m, 4.5 m)", "(0.4 m, 4.5 m)",
+                    "nearer to the boundary than control is given back");
+  prove(page("retreat"));
+  expect_noticed_in("spec.rta", "speed 0.3 m/s", "speed 0.01 m/s", "`go` is too slow to make way");
+  prove(page("retreat"));
+  expect_noticed_in("spec.rta", "retreat within hall speed 0.3 m/s",
+                    "sequence retreat within hall speed 0.3 m/s for 1 s then brake_and_hold",
+                    "nothing gives control back");
+}
+
+// What a landing is claimed to do it does for limits of height alone.
+TEST_F(Forged, ALandingGivesBackAsFarAsHeightsGo) {
+  const std::string page = R"(spec land;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down   : safe for Quad = land to 1 m speed 0.5 m/s;
+monitor roof for r : Quad { "R1" always r.position.z <= 10 m; recover down; }
+decision fly for Quad { advanced policy; period 50 ms; priority roof; }
+)";
+  for (const auto& [from, to] :
+       {std::pair("recover down;", "recover down; return when r.position.z >= 5 m;"),
+        std::pair("z <= 10 m", "z <= 10 m and r.speed <= 1 m/s")}) {
+    prove(page);
+    expect_noticed_in("spec.rta", from, to, "the property asks for more than a height");
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -1,0 +1,168 @@
+// One place, one height and one moment at which all monitors give control back: what no zone says
+// counts, too, and a recheck asks for it as well.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+const std::string cart = R"(robot Cart {
+  body    radius 30 cm;
+  motion  point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 3 cm   max_age 50 ms;
+  sense   velocity : vector error 3 cm/s max_age 50 ms;
+  hears   other robots max_age 200 ms;
+  output  push : acceleration;
+  latency 20 ms;
+}
+)";
+
+class JointReturn : public Verify {
+ protected:
+  static std::string status_of(const Json& report, const std::string& kind) {
+    for (const Json& o : report["decisions"][0]["obligations"]) {
+      if (o["obligation"] == kind) return o["status"];
+    }
+    return "";
+  }
+  // What is left open or refuted of one page, claimed as it is of another one whose names are the
+  // same, is denied.
+  void expect_not_proved(const std::string& kind, const std::string& good, const std::string& bad,
+                         const std::string& why) {
+    verified(good, {"--attack", "1", "-o", "certificates"});
+    const Json known = Json::parse(read("certificates/verification.json"));
+    ASSERT_EQ(status_of(known, kind), "proved") << good;
+    const Outcome honest = recheck_sealed_anew();
+    EXPECT_NE(honest.status, exit_violation) << honest.out;
+    const Outcome o = verified(bad, {"--attack", "1", "-o", "certificates"});
+    Json report = Json::parse(read("certificates/verification.json"));
+    EXPECT_NE(status_of(report, kind), "proved") << bad << o.out;
+    for (Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] != kind) continue;
+      for (const Json& other : known["decisions"][0]["obligations"]) {
+        const bool same =
+            other["obligation"] == kind && other.value("monitor", "") == each.value("monitor", "");
+        if (same) each = other;
+      }
+    }
+    write("certificates/verification.json", report.dump());
+    const Outcome forged = recheck_sealed_anew();
+    EXPECT_EQ(forged.status, exit_violation) << bad << forged.out;
+    EXPECT_NE(forged.out.find(why), std::string::npos) << forged.out;
+  }
+};
+
+// No zone is asked for.
+TEST_F(JointReturn, HeightsHaveToSuitAll) {
+  const auto page = [](const std::string& least, const std::string& back = "") {
+    return R"(spec heights;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller stop   : safe for Quad = brake_and_hold;
+monitor roof  for r : Quad { "R1" always r.position.z <= 10 m; recover stop; hold when violated "a test"; }
+monitor floor for r : Quad { "R2" always r.position.z >= )" +
+           least + "; recover stop; " + back + R"( hold when violated "a test"; }
+decision fly for Quad { advanced policy; period 50 ms; priority roof > floor; }
+)";
+  };
+  expect_not_proved("joint return", page("2 m"), page("12 m"), "needs another height");
+  // narrower than the clearance of the return
+  expect_not_proved("joint return", page("2 m"), page("9 m"), "needs another height");
+  const std::string low = "return when r.position.z >= 2 m;",
+                    high = "return when r.position.z >= 12 m;";
+  expect_not_proved("joint return", page("1 m", low), page("1 m", high), "may not hold");
+  const Outcome o = verified(page("12 m"), {"--attack", "1", "--format", "json"});
+  EXPECT_EQ(statuses(o.out, "joint return", ""), Statuses{"refuted"}) << o.out;
+}
+
+// One is there in the morning, the other one in the afternoon, all around the room.
+TEST_F(JointReturn, ZonesThatComeAndGoHaveToBeGoneAtOnce) {
+  const auto page = [](const std::string& until, const std::string& from) {
+    const std::string daily =
+        " during monday, tuesday, wednesday, thursday, friday, saturday, sunday ";
+    return "spec hall;\nclock utc;\nzone room = rectangle (0 m, 0 m) to (8 m, 4 m);\n"
+           "zone am = rectangle (-1 m, -1 m) to (9 m, 5 m)" +
+           daily + "00:00 .. " + until + ";\nzone pm = rectangle (-1 m, -1 m) to (9 m, 5 m)" +
+           daily + from + " .. 24:00;\n" + cart + R"(fleet a : Cart;
+controller pilot : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor one for r : Cart { "R1" always distance(r, am) >= 30 cm; recover stop; hold when violated "x"; }
+monitor two for r : Cart { "R2" always distance(r, pm) >= 30 cm; recover stop; hold when violated "x"; }
+decision fly for Cart { advanced pilot; period 50 ms; priority one > two; acknowledge stop may break one "x"; acknowledge stop may break two "x"; }
+)";
+  };
+  expect_not_proved("joint return", page("11:00", "12:00"), page("13:00", "12:00"),
+                    "zones that come and go may never be gone at once");
+  // half a minute between them is less than the minute that is asked for
+  verified(page("12:00", "12:00"), {"--attack", "1", "-o", "certificates"});
+  EXPECT_EQ(status_of(Json::parse(read("certificates/verification.json")), "joint return"),
+            "unknown");
+}
+
+std::string returning(const std::string& when, const std::string& fleet = "c") {
+  return "spec ask;\nzone hall = rectangle (0 m, 0 m) to (30 m, 20 m);\n" + cart + "fleet " +
+         fleet +
+         R"( : Cart;
+input permit : bool max_age 1 s;
+input load : real in 0 .. 90 error 1 max_age 1 s;
+controller tour : advanced for Cart extern;
+controller back : safe for Cart = retreat within hall speed 0.3 m/s;
+monitor one for r : Cart { "R1" always clearance(r, hall) >= 10 cm and (permit or load >= 0); recover back; return when )" +
+         when + (fleet == "c" ? "" : "; hold when violated \"x\"") + R"(; }
+decision lead for Cart { advanced tour; period 50 ms; priority one; }
+)";
+}
+
+TEST_F(JointReturn, OtherRobotsAreCountedAndKeptOff) {
+  const auto page = [](const std::string& when) { return returning(when, "c, d"); };
+  const std::string near = "(forall q : Cart, q != r : distance(r, q) >= 3 m)";
+  expect_not_proved("joint return", page(near),
+                    page("count(q : Cart, q != r : distance(r, q) <= 50 m) <= 0"),
+                    "`return when` of `one` may not hold");
+  expect_not_proved("joint return", page(near),
+                    page("(forall q : Cart, q != r : distance(r, q) >= 33 m)"),
+                    "too near to each other");
+  expect_not_proved("joint return", page(near), page(near + " or r.speed <= 0.01 m/s"),
+                    "may not hold");
+}
+
+TEST_F(JointReturn, WhatIsAskedOfInputsToReturnCanBe) {
+  const std::string why = "not all that is asked for need be true";
+  for (const char* const never : {"historically[0 s, 1 s] permit and once[0 s, 1 s] not permit",
+                                  "once[0 s, 1 s] (permit and not permit)",
+                                  "previously (load >= 60) and previously (load <= 40)"}) {
+    expect_not_proved("joint return", returning("permit and load >= 20"), returning(never), why);
+    expect_not_proved("P2b", returning("permit and load >= 20"), returning(never), why);
+  }
+}
+
+// Beside a zone that comes and goes the rest of a property counts.
+TEST_F(JointReturn, AZoneThatComesAndGoesSettlesNothingElse) {
+  const auto page = [](const std::string& more) {
+    return "spec hall;\nclock utc;\nzone room = rectangle (0 m, 0 m) to (8 m, 4 m);\n"
+           "zone lessons = rectangle (5 m, 0 m) to (8 m, 4 m) during monday, friday 07:30 .. "
+           "16:00;\nsite home = (1.6 m, 2 m);\n" +
+           cart + R"(fleet a, b : Cart;
+controller pilot : advanced for Cart extern;
+controller go_home : safe for Cart = route to home within room speed 0.3 m/s;
+monitor quiet for r : Cart { "R1" always distance(r, lessons) >= 30 cm)" +
+           more + R"(; recover go_home; }
+decision fly for Cart { advanced pilot; period 50 ms; priority quiet; }
+)";
+  };
+  const Outcome o = verified(page(" and (forall q : Cart, q != r : distance(r, q) >= 1 m)"),
+                             {"--attack", "1", "--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2b", "quiet"), Statuses{"unknown"}) << o.out;
+  const Outcome alone = verified(page(""), {"--attack", "1", "--format", "json"});
+  EXPECT_EQ(statuses(alone.out, "P2b", "quiet"), Statuses{"proved"}) << alone.out;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
