@@ -13,7 +13,7 @@ namespace {
 
 using protocol::Answer;
 
-// Enough for eight monitors (docs/protocol.md); what takes more is not known.
+// What takes more is not known (docs/protocol.md says how much takes how long).
 constexpr int seconds_max = 20, compiler_seconds_max = 120;  // for one claim, and before all
 constexpr const char* memory_mb_max = "2000";
 // Steps of a run. The stack for the most takes as long to clear as a small model to search.

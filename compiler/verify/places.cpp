@@ -365,7 +365,9 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   }
   if (o.because.empty() && !s.decision.on_plan) {
     o.method = "closed form";
-    o.because = "a robot at rest that is far from others and charged is seen to keep it";
+    o.because = std::string("a robot at rest that is far from others and charged") +
+                (atoms_of(m.property).altitude ? ", at a height that suits it," : "") +
+                " is seen to keep it";
     o.claims.push_back(limits_claim(s));
   }
   claim_told(s, k, true, told.inputs, o);

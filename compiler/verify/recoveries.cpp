@@ -111,9 +111,12 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
     o.method = "no part of the robot";
     o.because = "what " + quoted(m.name) + " says depends on inputs alone";
   } else {
-    o.because = quoted(m.recovery.name) +
-                " brakes within what was found clear, and moves only where the property holds, "
-                "gated by the distances to others";
+    const bool moves = std::ranges::any_of(
+        ir::steps_of(m.recovery), [](const ir::Recovery* step) { return ir::moves(step->kind); });
+    const bool alone = s.decision.robots < 2 && !s.decision.open_fleet;
+    o.because = quoted(m.recovery.name) + " brakes within what was found clear" +
+                (moves ? ", and moves only where the property holds" : ", and holds its place") +
+                (moves && !alone ? ", gated by the distances to others" : "");
     if (atoms.received) {
       o.because = quoted(m.recovery.name) +
                   " brakes within what was found clear, as long as the zone that was received "
