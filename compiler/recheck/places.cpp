@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/priced.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"

@@ -1,7 +1,6 @@
 #include "compiler/recheck/recheck.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -20,7 +19,6 @@
 #include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/turns.h"
-#include "compiler/sema/openings.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
