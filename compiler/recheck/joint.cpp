@@ -79,9 +79,13 @@ class JointReturn {
       return spec_[id].return_when != nullptr;
     });
     if (asked) need("returned");
+    // of others that nobody has declared, all are far
+    const bool has_others = std::ranges::count(spec_.robots, d_.kind, &sema::Robot::kind) > 1;
     for (const sema::MonitorId id : d_.priority) {
       const auto& when = spec_[id].return_when;
-      if (!when || !judges_robots(spec_, d_, *when) || distance_asked(spec_, d_, *when)) continue;
+      if (!when || !has_others || !judges_robots(spec_, d_, *when) ||
+          distance_asked(spec_, d_, *when))
+        continue;
       fail("`return when` of `" + spec_[id].name + "` may not hold of all robots");
     }
     if (!zones.empty()) fail("nothing is said of zone `" + *zones.begin() + "`");

@@ -22,6 +22,7 @@ class Condition {
         left_(left),
         numbers_(numbers_of(spec, decision, 0)) {
     for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
+    alone_ = robots_ < 2 && !spec[decision.kind].open_fleet;
   }
 
   bool comes_about(const sema::Expr& e) { return comes_about(e, true); }
@@ -84,7 +85,7 @@ class Condition {
     const bool of_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
       return term.first.kind == Measured::Kind::distance;
     });
-    if (of_others) return at_ && far(v, at_least) && (robots_ < 2 || !counts(v));
+    if (of_others) return at_ && far(v, at_least);
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();
@@ -98,30 +99,17 @@ class Condition {
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
     return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
   }
-  static bool counts(const sema::Compare& v) {
-    const auto is_count = [](const sema::Expr& side) {
-      bool found = false;
-      sema::for_each_expr(side, [&](const sema::Expr& part) {
-        found = found || std::holds_alternative<sema::CountOthers>(part.node);
-      });
-      return found;
-    };
-    return is_count(*v.left) || is_count(*v.right);
-  }
-  // Agents are far away, and no robot is near that could be counted.
-  static bool far(const sema::Compare& v, bool at_least) {
-    const auto speaks = [](const sema::Expr& e, bool of_distance) {
-      bool found = false;
-      sema::for_each_expr(e, [&](const sema::Expr& part) {
-        found = found || (of_distance ? std::holds_alternative<sema::AgentDistance>(part.node)
-                                      : std::holds_alternative<sema::CountOthers>(part.node));
-      });
-      return found;
-    };
+  // Agents are far away, and no robot is near that could be counted, where there are no others.
+  [[nodiscard]] bool far(const sema::Compare& v, bool at_least) const {
+    using Agent = sema::AgentDistance;
+    using Count = sema::CountOthers;
     const sema::Expr& large = at_least ? *v.left : *v.right;
     const sema::Expr& small = at_least ? *v.right : *v.left;
-    return (speaks(large, true) && !speaks(small, true) && !speaks(large, false)) ||
-           (speaks(small, false) && !speaks(large, false) && !speaks(small, true));
+    const bool large_counts = sema::speaks_of<Count>(large);
+    const bool small_counts = sema::speaks_of<Count>(small);
+    if ((large_counts || small_counts) && !alone_) return false;
+    return !large_counts && !sema::speaks_of<Agent>(small) &&
+           (sema::speaks_of<Agent>(large) || small_counts);
   }
   // battery >= energy_to(site) + ..., of the site at which it is charged.
   [[nodiscard]] bool way_home(const Sum& sum) const {
@@ -213,6 +201,7 @@ class Condition {
   const Rational left_;
   const Numbers numbers_;
   int robots_ = 0;
+  bool alone_ = false;
   std::optional<geometry::Point> at_;
   std::optional<Rational> z_;
 };

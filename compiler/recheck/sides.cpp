@@ -429,11 +429,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
     // of all others, where there is none; that there is one never holds then
     return robots_ < 2 && others->universal == part.value ? Back::yes : Back::no;
   }
-  bool counts = false;
-  sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
-    counts = counts || std::holds_alternative<sema::CountOthers>(e.node);
-  });
-  if (counts && robots_ > 1) return Back::no;
+  if (sema::speaks_of<sema::CountOthers>(*part.expr) && robots_ > 1) return Back::no;
   bool strict = false;
   if (const auto most = most_speed(*part.expr, part.value, strict)) {
     return rests.from_rest <= *most ? Back::yes : Back::slow;

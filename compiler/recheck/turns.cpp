@@ -245,12 +245,9 @@ class Turns {
       const Entry* const back = find(part_, "P2b", monitor(k).name);
       if (back == nullptr) continue;
       for (const char* const what : {"ways", "legs"}) {
-        const auto is_own = [&](const Claim& c) {
-          return c.what == what && text(c.values, "decision") == d_.name &&
-                 text(c.values, "monitor") == monitor(k).name;
-        };
-        const auto way = std::ranges::find_if(back->claims, is_own);
-        if (way != back->claims.end()) return &*way;
+        const Claim* const way =
+            claim_with(*back, what, {{"decision", d_.name}, {"monitor", monitor(k).name}});
+        if (way != nullptr) return way;
       }
     }
     return nullptr;

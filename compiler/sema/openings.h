@@ -18,7 +18,8 @@ std::string text_of(const Opening& opening);
 // Whether all zones with windows that these speak of are gone at once from some moment on, for so
 // long: after one of the windows has ended, or in a week before or after all that have dates.
 // false: no such moment was found.
-bool are_ever_gone(const Spec& spec, const std::vector<const Expr*>& all, std::int64_t lasting_s);
+bool are_ever_gone(const Spec& spec, const std::vector<const Expr*>& speaking,
+                   std::int64_t lasting_s);
 
 // Most windows of one zone: they become a table, which is looked up in every tick.
 inline constexpr std::size_t max_openings = 64;

@@ -89,6 +89,14 @@ inline bool speaks_of_robot(const Expr& expr) {
   return found;
 }
 
+// Whether a part of it is such a node.
+template <class Node>
+bool speaks_of(const Expr& expr) {
+  bool found = false;
+  for_each_expr(
+      expr, [&](const Expr& each) { found = found || std::holds_alternative<Node>(each.node); });
+  return found;
+}
 // Whether a part of it is a speed.
 inline bool speaks_of_speed(const Expr& expr) {
   bool found = false;

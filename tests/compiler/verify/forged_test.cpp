@@ -177,18 +177,8 @@ decision lead for Rover { advanced drive; period 50 ms; priority fence; }
 
 // What a landing is claimed to do it does for limits of height alone.
 TEST_F(Forged, ALandingGivesBackAsFarAsHeightsGo) {
-  const std::string page = R"(spec land;
-robot Quad {
-  body radius 30 cm;
-  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
-  sense position : point3 error 5 cm max_age 50 ms;
-  sense velocity : vector3 error 5 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 20 ms;
-}
-fleet q : Quad;
-controller policy : advanced for Quad extern;
-controller down   : safe for Quad = land to 1 m speed 0.5 m/s;
+  const std::string page =
+      "spec land;\n" + a_quad + R"(controller down   : safe for Quad = land to 1 m speed 0.5 m/s;
 monitor roof for r : Quad { "R1" always r.position.z <= 10 m; recover down; }
 decision fly for Quad { advanced policy; period 50 ms; priority roof; }
 )";

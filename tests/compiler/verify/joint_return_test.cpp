@@ -54,18 +54,7 @@ class JointReturn : public Verify {
 // No zone is asked for.
 TEST_F(JointReturn, HeightsHaveToSuitAll) {
   const auto page = [](const std::string& least, const std::string& back = "") {
-    return R"(spec heights;
-robot Quad {
-  body radius 30 cm;
-  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
-  sense position : point3 error 5 cm max_age 50 ms;
-  sense velocity : vector3 error 5 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 20 ms;
-}
-fleet q : Quad;
-controller policy : advanced for Quad extern;
-controller stop   : safe for Quad = brake_and_hold;
+    return "spec heights;\n" + a_quad + R"(controller stop   : safe for Quad = brake_and_hold;
 monitor roof  for r : Quad { "R1" always r.position.z <= 10 m; recover stop; hold when violated "a test"; }
 monitor floor for r : Quad { "R2" always r.position.z >= )" +
            least + "; recover stop; " + back + R"( hold when violated "a test"; }
@@ -100,7 +89,7 @@ decision fly for Cart { advanced pilot; period 50 ms; priority one > two; acknow
   };
   expect_not_proved("joint return", page("11:00", "12:00"), page("13:00", "12:00"),
                     "zones that come and go may never be gone at once");
-  // half a minute between them is less than the minute that is asked for
+  // a moment between them is less than the minute that is asked for
   verified(page("12:00", "12:00"), {"--attack", "1", "-o", "certificates"});
   EXPECT_EQ(status_of(Json::parse(read("certificates/verification.json")), "joint return"),
             "unknown");

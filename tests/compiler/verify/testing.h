@@ -55,4 +55,17 @@ fleet r1 : Rover;
 controller drive : advanced for Rover extern;
 )";
 
+// The same in space.
+inline const std::string a_quad = R"(robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+)";
+
 }  // namespace rtac::driver::test
