@@ -147,12 +147,7 @@ class Report {
   }
   // The greatest speed at which it breaks none of them, where they ask for less than it has.
   [[nodiscard]] std::string slower(const Breach& breach, const diag::Diagnostic& of) const {
-    const std::vector<Entry>& row = all_[breach.recovery];
-    // else it is in the help of the entry
-    const auto not_said = [&](std::size_t j) {
-      return row[j].while_told || row[j].help.find("m/s") == std::string::npos;
-    };
-    if (trials_ == nullptr || !std::ranges::all_of(breach.monitors, not_said)) return "";
+    if (trials_ == nullptr) return "";
     const ir::Recovery& last = ir::last_step(decision_.monitors[breach.recovery].recovery);
     std::int64_t guess_mmps = last.speed_mmps;
     for (const std::size_t j : breach.monitors) {

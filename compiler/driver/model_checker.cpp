@@ -93,15 +93,15 @@ class Checker {
       return {Answer::Kind::unknown, claim, not_ended("spin", seconds_max)};
     }
     if (has("errors: 0") && !has(too_deep) && !has("Search not completed")) {
-      return {Answer::Kind::holds, claim, ""};
+      return {Answer::Kind::holds, claim};
     }
     if (!has("errors: 0") && has("errors: ")) {
-      return {Answer::Kind::broken, claim, who_takes_turns(claim)};
+      return {Answer::Kind::broken, claim, "", who_takes_turns(claim)};
     }
     return {Answer::Kind::unknown, claim, "spin has run out of memory or depth"};
   }
-  // "`a`, `b`": who drives in the cycle of a run that breaks the claim.
-  [[nodiscard]] std::string who_takes_turns(const std::string& claim) const {
+  // Who drives in the cycle of a run that breaks the claim.
+  [[nodiscard]] std::set<std::string> who_takes_turns(const std::string& claim) const {
     (void)search(depth_of_story, claim);
     (void)shell("spin -t -T -B m.pml");
     const std::string text = said(), mark = "START OF CYCLE";
@@ -111,11 +111,9 @@ class Checker {
       at = text.find("` drives", at + 1);
       if (at == std::string::npos) break;
       const std::size_t begin = text.rfind('`', at - 1);
-      names.insert(text.substr(begin, at - begin + 1));
+      names.insert(text.substr(begin + 1, at - begin - 1));
     }
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all;
+    return names;
   }
 
   const protocol::Model& model_;

@@ -233,12 +233,9 @@ class Showing {
     for (const sema::Decision& written : c_.spec->decisions) {
       if (written.name != d.name) continue;
       for (const sema::MonitorId id : written.priority) {
-        bool charge = false;
-        sema::for_each_expr(*(*c_.spec)[id].always, [&](const sema::Expr& e) {
-          const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-          charge = charge || std::holds_alternative<sema::EnergyTo>(e.node) ||
-                   (signal != nullptr && signal->signal == sema::Signal::battery);
-        });
+        const sema::Expr& property = *(*c_.spec)[id].always;
+        const bool charge =
+            sema::speaks_of<sema::EnergyTo>(property) || sema::speaks_of_charge(property);
         if (charge) return kept && accepted(written, id) ? "" : (*c_.spec)[id].name;
       }
     }

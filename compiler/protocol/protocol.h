@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -63,7 +64,10 @@ Model protocol_model(const Subject& subject, const Arbitration& arbitration,
 struct Answer {
   enum class Kind { holds, broken, unknown } kind = Kind::unknown;
   std::string claim;
-  std::string why;  // unknown: what went wrong; broken: who drives in turn for ever, or ""
+  std::string why{};  // unknown: what went wrong
+  // broken: the recoveries that drive in turn for ever, by name; empty where no short run shows
+  // them
+  std::set<std::string> drivers{};
 };
 using CheckModel = std::function<std::vector<Answer>(const Model&)>;
 

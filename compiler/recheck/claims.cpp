@@ -383,15 +383,6 @@ std::optional<Rational> room_at(const sema::Expr& e, bool value, const Rational&
 
 }  // namespace
 
-bool speaks_of_height(const sema::Expr& property) {
-  bool asks = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    asks = asks || (signal != nullptr && signal->signal == sema::Signal::altitude);
-  });
-  return asks;
-}
-
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap) {
   const auto room = room_at(property, value, z);
   return !room || *room >= gap;

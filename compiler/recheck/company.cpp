@@ -162,21 +162,12 @@ double widest_apart(const geometry::Region& zone, double radius) {
                     std::max(top - low - 2 * radius, 0.0));
 }
 
-bool speaks_of_charge(const sema::Expr& property) {
-  bool speaks = false;
-  sema::for_each_expr(property, [&](const sema::Expr& e) {
-    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
-    speaks = speaks || (signal != nullptr && signal->signal == sema::Signal::battery);
-  });
-  return speaks;
-}
-
 bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision,
                       const sema::Controller& recovery, const sema::Expr& property) {
   const sema::RobotKind& kind = spec[decision.kind];
   const auto robots = std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind);
   if (!kind.energy || (robots < 2 && !kind.open_fleet)) return false;
-  if (moves_within(recovery).empty() || !speaks_of_charge(property)) return false;
+  if (moves_within(recovery).empty() || !sema::speaks_of_charge(property)) return false;
   return std::ranges::any_of(decision.priority, [&](sema::MonitorId id) {
     bool distance = false;
     sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {

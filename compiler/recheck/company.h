@@ -28,8 +28,6 @@ std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decis
 // it; infinite: it has no end.
 double widest_apart(const geometry::Region& zone, double radius);
 
-bool speaks_of_charge(const sema::Expr& property);
-
 // Whether others may keep a recovery waiting while it spends what a property says of charge: it
 // moves among robots that keep a distance. How long is declared (`held`, rule 6.7).
 bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision,

@@ -168,7 +168,7 @@ class JointReturn {
   // The heights of its claims, one of which there has to be where any of these is asked for.
   std::set<std::string> heights_said(const std::set<std::string>& alone) {
     const bool high = std::ranges::any_of(d_.priority, [&](sema::MonitorId id) {
-      return !alone.contains(spec_[id].name) && speaks_of_height(*spec_[id].always);
+      return !alone.contains(spec_[id].name) && sema::speaks_of_height(*spec_[id].always);
     });
     if (high && !has(e_, "height", {{"decision", d_.name}})) {
       fail("nothing is said of the height");

@@ -207,7 +207,7 @@ std::optional<Doubt> ends(const sema::Spec& spec, const sema::Decision& d, Claim
 bool begins_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                    sema::ZoneId zone) {
   const auto charge = std::ranges::find_if(
-      d.priority, [&](sema::MonitorId id) { return speaks_of_charge(*spec[id].always); });
+      d.priority, [&](sema::MonitorId id) { return sema::speaks_of_charge(*spec[id].always); });
   if (charge == d.priority.end()) return false;
   // it suffices nowhere but in the zone of its ways, or within reach of it
   bool in = false;
@@ -233,7 +233,7 @@ bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claim
       return spends_charge(spec, decision, claims, driving, *each);
     });
   }
-  return speaks_of_charge(property) &&
+  return sema::speaks_of_charge(property) &&
          !Sides(spec, decision, claims).keeping(spec[*driving.recover], property).by_sides;
 }
 

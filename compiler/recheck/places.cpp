@@ -182,7 +182,7 @@ Found Claims::height(const Values& v) {
   for (const sema::MonitorId id : d->priority) {
     if (but.contains(spec_[id].name)) continue;  // what inputs alone make true
     const Rational room = return_clearance(*d, spec_[id], micro(*extra));
-    if (speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
+    if (sema::speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
       return wrong("a robot at rest with that clearance may not be given back");
     }
     if (keeps_heights(*spec_[id].always, true, milli(*z), room)) continue;

@@ -381,7 +381,7 @@ class Check {
     const sema::RobotKind& kind = spec_[d.kind];
     const auto way = sema::route_of(recovery);
     if (!way || !kind.energy || kind.energy->charge_at != way->site) return;
-    if (!speaks_of_charge(*m.always)) return;
+    if (!sema::speaks_of_charge(*m.always)) return;
     const Numbers n = numbers_of(spec_, d, jitter_of(spec_, d));
     const Rational off = n.sway + std::max(Rational(n.position_error), Rational(2, 100));
     if (off > Rational(15, 100)) {

@@ -434,7 +434,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (const auto most = most_speed(*part.expr, part.value, strict)) {
     return rests.from_rest <= *most ? Back::yes : Back::slow;
   }
-  const bool high = speaks_of_height(*part.expr);
+  const bool high = sema::speaks_of_height(*part.expr);
   const auto zones = all_zones(*part.expr);
   if (zones.empty() && !high) return Back::yes;  // of charge: other claims, and errors
   if (!rests.own) return Back::no;               // it stands, wherever that is

@@ -97,14 +97,23 @@ bool speaks_of(const Expr& expr) {
       expr, [&](const Expr& each) { found = found || std::holds_alternative<Node>(each.node); });
   return found;
 }
-// Whether a part of it is a speed.
-inline bool speaks_of_speed(const Expr& expr) {
+// Whether a part of it is such a signal.
+inline bool speaks_of_signal(const Expr& expr, Signal signal) {
   bool found = false;
   for_each_expr(expr, [&](const Expr& each) {
-    const auto* signal = std::get_if<SignalRef>(&each.node);
-    found = found || (signal != nullptr && signal->signal == Signal::speed);
+    const auto* ref = std::get_if<SignalRef>(&each.node);
+    found = found || (ref != nullptr && ref->signal == signal);
   });
   return found;
+}
+inline bool speaks_of_speed(const Expr& expr) {
+  return speaks_of_signal(expr, Signal::speed);
+}
+inline bool speaks_of_height(const Expr& expr) {
+  return speaks_of_signal(expr, Signal::altitude);
+}
+inline bool speaks_of_charge(const Expr& expr) {
+  return speaks_of_signal(expr, Signal::battery);
 }
 
 }  // namespace rtac::sema

@@ -1,7 +1,6 @@
 #include "compiler/verify/other_recoveries.h"
 
 #include <algorithm>
-#include <set>
 
 #include "compiler/analysis/limits.h"
 #include "compiler/ir/linear.h"
@@ -11,9 +10,6 @@
 namespace rtac::verify {
 namespace {
 
-bool is_named(const std::string& in_turns, const ir::Monitor& m) {
-  return in_turns.find(quoted(m.recovery.name)) != std::string::npos;
-}
 // What an `acknowledge` names has to stay a recovery of the decision.
 bool has_to_stay(const ir::Decision& d, const std::string& recovery) {
   const auto& acknowledged = d.acknowledgements;
@@ -49,9 +45,9 @@ std::int64_t slow_enough_mmps(const ir::Decision& d, std::int64_t limit_mmps) {
 }  // namespace
 
 std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration& matrix,
-                                   const std::string& in_turns) {
+                                   const std::set<std::string>& in_turns) {
   const ir::Decision& d = s.decision;
-  const auto takes_turns = [&](const ir::Monitor& m) { return is_named(in_turns, m); };
+  const auto takes_turns = [&](const ir::Monitor& m) { return in_turns.contains(m.recovery.name); };
   std::vector<Mend> all;
   // rather who ranks lower follows
   for (auto m = d.monitors.rbegin(); m != d.monitors.rend(); ++m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,10 @@
 
 namespace rtac::verify {
 
-// Of recoveries that take turns, "`back`, `down`": that one of their monitors has that of another,
+// Of recoveries that take turns, by name: that one of their monitors has that of another,
 // that one moves where it keeps what another one says, or that it is so slow that it keeps a limit.
 std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration& matrix,
-                                   const std::string& in_turns);
+                                   const std::set<std::string>& in_turns);
 
 // Of a monitor whose recovery leads to where its `return when` does not hold: that it has another
 // one of the decision, or that its own moves within a zone that is asked for there.

@@ -35,19 +35,11 @@ struct Band {
   bool asked = false;
   bool beside_others = false;  // some heights are one side of what another side may do for
 };
-bool speaks_of_height(const sema::Expr& e) {
-  bool found = false;
-  sema::for_each_expr(e, [&](const sema::Expr& each) {
-    const auto* signal = std::get_if<sema::SignalRef>(&each.node);
-    found = found || (signal != nullptr && signal->signal == sema::Signal::altitude);
-  });
-  return found;
-}
 // Of an `or`, or anything else that is no `and`: then nobody has to be at that height.
 bool has_height_beside_others(const sema::Expr& e) {
   const auto* logic = std::get_if<sema::Logic>(&e.node);
   if (logic == nullptr) return false;
-  if (logic->op != sema::LogicOp::logical_and) return speaks_of_height(e);
+  if (logic->op != sema::LogicOp::logical_and) return sema::speaks_of_height(e);
   return std::ranges::any_of(logic->operands,
                              [](const auto& each) { return has_height_beside_others(*each); });
 }

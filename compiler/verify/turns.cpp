@@ -268,10 +268,10 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
 }
 
 // Whether all recoveries that are named in there move in one zone at one speed.
-bool are_alike(const ir::Decision& d, const std::string& names) {
+bool are_alike(const ir::Decision& d, const std::set<std::string>& names) {
   const ir::Recovery* first = nullptr;
   for (const ir::Monitor& m : d.monitors) {
-    if (names.find(quoted(m.recovery.name)) == std::string::npos) continue;
+    if (!names.contains(m.recovery.name)) continue;
     const ir::Recovery& last = ir::last_step(m.recovery);
     if (first == nullptr) first = &last;
     if (!ir::moves(last.kind) || last.zone != first->zone || last.speed_mmps != first->speed_mmps) {
@@ -288,14 +288,16 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
     return o;
   }
   o.because = "`" + answer.claim + "` is not shown";
-  if (answer.why.empty()) return o;
+  if (answer.drivers.empty()) return o;
   o.in_turns = true;
-  const bool several = answer.why.find(',') != std::string::npos;
-  o.because += ": in a run of the model " + answer.why +
-               (several ? " take over from each other for ever"
-                        : " drives for one monitor after the other for ever");
+  std::string names;
+  for (const std::string& name : answer.drivers)
+    names += (names.empty() ? "" : ", ") + quoted(name);
+  o.because += ": in a run of the model " + names +
+               (answer.drivers.size() > 1 ? " take over from each other for ever"
+                                          : " drives for one monitor after the other for ever");
   const std::string later = "a `return when` that lets none go sooner than all give control back";
-  o.repair = (are_alike(s.decision, answer.why)
+  o.repair = (are_alike(s.decision, answer.drivers)
                   ? later + " is needed, or monitors that ask for one zone"
                   : "recoveries of one zone and speed, which is within the zones of all of these "
                     "monitors, are needed, or " +
@@ -453,7 +455,8 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
     Obligation open = unknown(std::move(o), s, *broken);
     if (open.in_turns) {
       open.mends = later_returns(s, known);
-      std::ranges::move(other_recoveries(s, matrix, broken->why), std::back_inserter(open.mends));
+      std::ranges::move(other_recoveries(s, matrix, broken->drivers),
+                        std::back_inserter(open.mends));
     }
     return open;
   }
