@@ -19,6 +19,7 @@
 #include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/waits.h"
 #include "compiler/analysis/windows.h"
+#include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
 
@@ -490,7 +491,7 @@ class Pair {
       return false;
     }
     if (!begins_in_its_zone(last)) return false;
-    return lies_within(end->seconds, end->metres);
+    return lies_within_what_is_paid();
   }
   // A charge suffices nowhere but in the zone of its ways, or within reach of it.
   [[nodiscard]] bool charge_keeps_in(ir::ZoneIndex zone) const {
@@ -515,29 +516,68 @@ class Pair {
   [[nodiscard]] bool stays_away() const {
     return kind_.energy->idle.value > 0 && ir::last_step(recovery_).kind != ir::RecoveryKind::route;
   }
-  bool lies_within(const Rational& seconds, const Rational& metres_most) {
-    const bool longer = seconds > kind_.energy->held.value;
-    const bool farther = metres_most > kind_.energy->detour.value;
+  // What a charge pays for: as far as a recovery leads the robot away its way home may become
+  // longer, unless it ends where it is charged.
+  struct Spent {
+    Rational seconds = 0, metres = 0;
+  };
+  [[nodiscard]] Spent spent_by(const ir::Recovery& recovery, const Ending& end) const {
+    const Rational back = ir::last_step(recovery).charges ? Rational(0) : end.metres;
+    const std::int64_t home_mmps = judged_.recovery.speed_mmps;
+    const Rational speed(static_cast<long>(home_mmps), 1000);
+    return {home_mmps > 0 ? Rational(end.seconds + back / speed) : end.seconds,
+            Rational(end.metres + back)};
+  }
+  // Of all recoveries that may drive before the one that leads to the dock, by name: each once.
+  [[nodiscard]] std::map<std::string, Spent> spent() {
+    std::map<std::string, Spent> all;
+    const auto judged = static_cast<std::size_t>(&judged_ - decision_.monitors.data());
+    for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
+      const ir::Recovery& other = decision_.monitors[k].recovery;
+      // who ranks lower lets the charge take over
+      const bool before = k == drives_ || decision_.coordinated || (k < judged && drives_ < judged);
+      if (!before || other.name == judged_.recovery.name ||
+          ir::acknowledged(decision_, other.name, judged_.name)) {
+        continue;
+      }
+      const std::optional<Ending>& end = endings_.of(other);
+      if (!end) continue;  // which is a matter of that pair
+      const Spent most = spent_by(other, *end);
+      Spent& of = all[other.name];
+      of = {std::max(of.seconds, most.seconds), std::max(of.metres, most.metres)};
+    }
+    return all;
+  }
+  bool lies_within_what_is_paid() {
+    Spent in_all;
+    std::string names = quoted(recovery_.name);
+    for (const auto& [name, of] : spent()) {
+      in_all.seconds += of.seconds;
+      in_all.metres += of.metres;
+      if (name != recovery_.name) names += " and " + quoted(name);
+    }
+    const bool longer = in_all.seconds > kind_.energy->held.value;
+    const bool farther = in_all.metres > kind_.energy->detour.value;
     if (!longer && !farther) return true;
     const auto reckons = [](const std::string& most) {
-      return ", and the charge reckons with `" + most + "`";
+      return ", the way back included, and the charge reckons with `" + most + "`";
     };
     Change change;
     if (longer) {
-      entry_.why = quoted(recovery_.name) + " may last " + seconds_text(seconds) +
+      entry_.why = names + " may last " + seconds_text(in_all.seconds) +
                    reckons("held <= " + seconds_text(kind_.energy->held.value));
-      change.held = Rational(ceil_to_int(Rational(seconds * 10)), 10);
+      change.held = Rational(ceil_to_int(Rational(in_all.seconds * 10)), 10);
       change.held->canonicalize();
-      entry_.help = "`held <= " + seconds_text(seconds) + "`";
+      entry_.help = "`held <= " + seconds_text(in_all.seconds) + "`";
     } else {
-      entry_.why = quoted(recovery_.name) + " may drive " + about_metres(metres_most) +
+      entry_.why = names + " may drive " + about_metres(in_all.metres) +
                    reckons("detour <= " + about_metres(kind_.energy->detour.value));
     }
     if (farther) {
-      change.detour = Rational(ceil_to_int(Rational(metres_most * 100)), 100);
+      change.detour = Rational(ceil_to_int(Rational(in_all.metres * 100)), 100);
       change.detour->canonicalize();
       entry_.help +=
-          std::string(longer ? " with " : "") + "`detour <= " + about_metres(metres_most) + "`";
+          std::string(longer ? " with " : "") + "`detour <= " + about_metres(in_all.metres) + "`";
     }
     entry_.help += " works";
     entry_.change = change;

@@ -409,6 +409,8 @@ class Deriver {
     }
     if (const auto* route = std::get_if<sema::Route>(&what)) {
       r.site = out_.tables.site(kind, route->site);
+      const auto& energy = spec_[kind].energy;
+      r.charges = energy && energy->charge_at == route->site;
     }
     return r;
   }

@@ -60,12 +60,6 @@ class Blocked {
 
 }  // namespace
 
-bool goes_to_charge(const sema::RobotKind& kind, const sema::Spec& spec, const ir::Module& module,
-                    const ir::Recovery& way) {
-  return way.kind == ir::RecoveryKind::route && kind.energy &&
-         module[way.site].name == spec[kind.energy->charge_at].name;
-}
-
 const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTable& site,
                                        const ir::SiteTable::Place& place) {
   const auto of = std::ranges::find(spec.sites, site.name, &sema::Site::name);

@@ -14,10 +14,7 @@ namespace rtac::analysis {
 
 // A robot is charged so near to its dock (language rule 6.7).
 inline constexpr std::int64_t dock_reach_mm = 150;
-// Whether a recovery goes to where its robot is charged, and how far from there errors and pushes
-// that last may let it rest.
-bool goes_to_charge(const sema::RobotKind& kind, const sema::Spec& spec, const ir::Module& module,
-                    const ir::Recovery& way);
+// How far from the end of its way errors and pushes that last may let it rest.
 inline std::int64_t rests_off_mm(const ir::Body& body) {
   return body.end_reach_mm + body.sway_mm;
 }

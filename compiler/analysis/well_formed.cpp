@@ -322,13 +322,12 @@ class WellFormed {
 
   // Who goes to be charged has to rest near enough for that.
   void beside_dock(const Decided& of, const ir::Monitor& monitor, const ir::Recovery& way) {
-    const sema::KindId kind = of.written.kind;
     const std::int64_t off_mm = rests_off_mm(of.decision.body);
     bool charges = false;
     ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
       charges = charges || ir::charge_for_way(block, c, of.decision.facts.params);
     });
-    if (!charges || !goes_to_charge(spec_[kind], spec_, module_, way) || off_mm <= dock_reach_mm) {
+    if (!charges || !way.charges || off_mm <= dock_reach_mm) {
       return;
     }
     const SourceRange range = source_of(way.site, 0);

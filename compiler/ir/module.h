@@ -594,6 +594,7 @@ struct Recovery {
   // off; the look-ahead of the monitor asks for so much more.
   std::int64_t leave_beside_mm = 0;
   std::int64_t land_mm = 0;  // of a landing: how high the centre ends
+  bool charges = false;      // a route: to the site at which its robot is charged
 };
 // Of a zone from whose boundary the centre keeps `asked_mm`: cells of the own one keep enough.
 inline std::int64_t leave_beside_mm(const Recovery& r, ZoneIndex zone, std::int64_t asked_mm) {

@@ -162,18 +162,39 @@ double widest_apart(const geometry::Region& zone, double radius) {
                     std::max(top - low - 2 * radius, 0.0));
 }
 
+bool ends_charged(const sema::Spec& spec, const sema::Decision& decision,
+                  const sema::Controller& recovery) {
+  const auto& energy = spec[decision.kind].energy;
+  const std::vector<sema::Template> steps = sema::templates_of(recovery);
+  if (!energy || steps.empty()) return false;
+  const auto* const last = std::get_if<sema::Route>(&steps.back());
+  return last != nullptr && last->site == energy->charge_at;
+}
+
+bool goes_to_be_charged(const sema::Spec& spec, const sema::Decision& decision,
+                        const sema::Controller& recovery, const sema::Expr& property) {
+  const auto& energy = spec[decision.kind].energy;
+  const bool goes = sema::route_of(recovery) && ends_charged(spec, decision, recovery);
+  bool there = goes;
+  sema::for_each_expr(property, [&](const sema::Expr& e) {
+    const auto* const way = std::get_if<sema::EnergyTo>(&e.node);
+    there = there && (way == nullptr || way->site == energy->charge_at);
+  });
+  return there;
+}
+
 bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision,
                       const sema::Controller& recovery, const sema::Expr& property) {
   const sema::RobotKind& kind = spec[decision.kind];
+  if (!kind.energy || moves_within(recovery).empty() || !sema::speaks_of_charge(property)) {
+    return false;
+  }
   const auto robots = std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind);
-  if (!kind.energy || (robots < 2 && !kind.open_fleet)) return false;
-  if (moves_within(recovery).empty() || !sema::speaks_of_charge(property)) return false;
+  const bool company = robots > 1 || kind.open_fleet;
   return std::ranges::any_of(decision.priority, [&](sema::MonitorId id) {
-    bool distance = false;
-    sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {
-      distance = distance || std::holds_alternative<sema::Distance>(e.node);
-    });
-    return distance;
+    const sema::Expr& kept = *spec[id].always;
+    return (company && sema::speaks_of<sema::Distance>(kept)) ||
+           sema::speaks_of<sema::AgentDistance>(kept);
   });
 }
 

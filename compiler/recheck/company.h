@@ -28,8 +28,14 @@ std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decis
 // it; infinite: it has no end.
 double widest_apart(const geometry::Region& zone, double radius);
 
+// Whether a recovery ends where the robot is charged; and whether it does nothing but go there, and
+// whatever the property asks for the charge of a way is about that way.
+bool ends_charged(const sema::Spec& spec, const sema::Decision& decision,
+                  const sema::Controller& recovery);
+bool goes_to_be_charged(const sema::Spec& spec, const sema::Decision& decision,
+                        const sema::Controller& recovery, const sema::Expr& property);
 // Whether others may keep a recovery waiting while it spends what a property says of charge: it
-// moves among robots that keep a distance. How long is declared (`held`, rule 6.7).
+// moves among robots or agents that keep a distance. How long is declared (`held`, rule 6.7).
 bool waits_for_others(const sema::Spec& spec, const sema::Decision& decision,
                       const sema::Controller& recovery, const sema::Expr& property);
 

@@ -206,6 +206,7 @@ std::optional<Grid> grid_of(const std::vector<Segment>& all, const Cells& cells)
   const auto count = [&](double cell) {
     return std::ceil((right - left) / cell) * std::ceil((top - low) / cell);
   };
+  if (cells.cell_mm % 10 != 0) return std::nullopt;
   constexpr double least_m = 0.1, step_m = 0.01, most = 40'000;
   constexpr double ends = 400;  // cells at two ends, where the grid has made the zone smaller
   const bool wide_enough = count(grid.cell) <= most + 2 * ends;

@@ -1,6 +1,8 @@
 #include "compiler/recheck/lasting.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <variant>
 
 #include "compiler/recheck/coming_in.h"
@@ -237,12 +239,48 @@ bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claim
          !Sides(spec, decision, claims).keeping(spec[*driving.recover], property).by_sides;
 }
 
+std::optional<std::string> takes_too_much(const sema::Spec& spec, const sema::Decision& decision,
+                                          const Part& part, const sema::Monitor& charge) {
+  const auto& energy = spec[decision.kind].energy;
+  if (!energy || !charge.recover) return "no charge is declared";
+  const auto home = sema::templates_of(spec[*charge.recover]);
+  const auto moves = home.empty() ? std::nullopt : sema::moves_of(home.back());
+  std::map<std::string, std::pair<Rational, Rational>> most;  // s and m, of each recovery
+  for (const Entry& e : part.entries) {
+    if (e.kind != "C" || e.monitor != charge.name) continue;
+    for (const Claim& c : e.claims) {
+      const auto held_us = number(c.values, "held_us"), driven_mm = number(c.values, "driven_mm");
+      if (c.what != "lasts" || !held_us || !driven_mm) continue;
+      const auto of = std::ranges::find(spec.controllers, e.recovery, &sema::Controller::name);
+      if (of == spec.controllers.end()) return "there is no such recovery";
+      // it leads away, and its robot has to get back
+      const bool away = !ends_charged(spec, decision, *of);
+      const Rational driven = milli(*driven_mm), back = away ? driven : Rational(0);
+      if (back > 0 && (!moves || moves->speed <= 0))
+        return "nothing leads back to where it is charged";
+      auto& [seconds, metres] = most[e.recovery];
+      seconds = std::max(
+          seconds,
+          Rational(micro(*held_us) + (back > 0 ? Rational(back / moves->speed) : Rational(0))));
+      metres = std::max(metres, Rational(driven + back));
+    }
+  }
+  Rational seconds = 0, metres = 0;
+  for (const auto& [name, each] : most) seconds += each.first, metres += each.second;
+  if (seconds > energy->held.value)
+    return "with the ways back other recoveries last longer than `held`";
+  if (metres > energy->detour.value)
+    return "there and back other recoveries drive further than `detour`";
+  return std::nullopt;
+}
+
 std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision& decision,
                                    Claims& claims, const sema::Monitor& monitor, const Values& v) {
   const sema::RobotKind& kind = spec[decision.kind];
   const auto said = said_of(claims, v);
   const auto held_us = number(v, "held_us"), extra_us = number(v, "extra_us");
-  if (!said || !held_us || !extra_us) return wrong("a number is missing");
+  const auto driven_mm = number(v, "driven_mm");
+  if (!said || !held_us || !extra_us || !driven_mm) return wrong("a number is missing");
   if (!kind.energy) return wrong("no charge is declared");
   const Rational held = micro(*held_us);
   if (held > kind.energy->held.value) return wrong("it lasts longer than `held`");
@@ -275,9 +313,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   const Rational cell = milli(said->cells.cell_mm);
   const auto ends_in = [&](const std::optional<Rational>& seconds,
                            const std::optional<Rational>& metres) -> std::optional<Doubt> {
-    if (!metres || *metres > kind.energy->detour.value) {
-      return wrong("it drives further than `detour`");
-    }
+    if (!metres || *metres > milli(*driven_mm)) return wrong("it may drive further");
     if (!seconds || *seconds + after > held) return wrong("it may last longer");
     return std::nullopt;
   };

@@ -2,7 +2,11 @@
 // rule 6.7), from the specification.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/written.h"
 
 namespace rtac::recheck {
 
@@ -11,9 +15,14 @@ namespace rtac::recheck {
 bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
                    const sema::Monitor& driving, const sema::Expr& property);
 
-// The claim that the recovery of `monitor` lasts and drives no longer than it says, and that this
-// is within `held` and `detour`. Taken from the claim: the clearance that its legs keep, and how
-// deep it aims beyond what its errors ask for.
+// Why all that claims of a part let other recoveries take before the one of `charge` drives may be
+// more than `held` and `detour`, each of them once: where one leads away from where it is charged,
+// the robot has to get back as well.
+std::optional<std::string> takes_too_much(const sema::Spec& spec, const sema::Decision& decision,
+                                          const Part& part, const sema::Monitor& charge);
+
+// The claim that the recovery of `monitor` lasts and drives no longer than it says. Taken from the
+// claim: the clearance that its legs keep, and how deep it aims beyond what its errors ask for.
 std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision& decision,
                                    Claims& claims, const sema::Monitor& monitor, const Values& v);
 

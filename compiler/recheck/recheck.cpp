@@ -109,7 +109,7 @@ class Check {
       return fail(whom(d, e) + ": `" + e.status + "` is no status");
     }
     if (proved && declared) {
-      return fail(whom(d, e) + ": how long others keep it waiting is declared, and not proved");
+      return fail(whom(d, e) + ": what others take of a charge is declared, and not proved");
     }
     // of all turns the model is checked, with what is accepted taken to be kept
     const bool of_turns = e.kind == switching;
@@ -166,6 +166,7 @@ class Check {
     if (d.on_plan || claim_of(e, "outranks") || claim_of(e, "coordinated")) return false;
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr || !m->recover) return false;
+    if (claim_of(e, "lasts")) return true;
     return std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
       const auto& recover = e.kind == "P2a" ? m->recover : spec_[id].recover;
       if (!recover || (e.kind == "C" && spec_[*recover].name != e.recovery)) return false;
@@ -183,9 +184,9 @@ class Check {
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& m = spec_[id];
       if (m.name != e.monitor) continue;
-      if (e.kind == "P1a" || e.kind == "P3") {
-        return m.ahead.duration_unsound || !m.ahead.unsound_reason.empty();
-      }
+      const bool unsound = m.ahead.duration_unsound || !m.ahead.unsound_reason.empty();
+      if (e.kind == "P1a" || e.kind == "P3") return unsound;
+      if (e.kind == "P2a" && unsound) return true;
       if (e.kind == "P2b" && m.hold_reason) return true;
       if (e.kind != "P2a" && e.kind != "P2b" && e.kind != "C") return false;
       std::string recovery = e.recovery;
@@ -404,11 +405,19 @@ class Check {
            Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
   }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    if (m.ahead.duration_unsound || !m.ahead.unsound_reason.empty()) {
+      fail(whom(d, e) + ": its look-ahead is declared unsound");
+    }
     need(d, e, "limits");
     need(d, e, "recovery", {{"monitor", m.name}});
     if (m.recover) {
       within(d, e, m, m);
       as_slow(d, e, spec_[*m.recover], m);
+      if (sema::speaks_of_charge(*m.always) &&
+          !goes_to_be_charged(spec_, d, spec_[*m.recover], *m.always)) {
+        fail(whom(d, e) + ": nobody accounts for the charge that `" + spec_[*m.recover].name +
+             "` spends");
+      }
     }
     const bool brakes =
         m.recover && std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation);
@@ -533,6 +542,7 @@ class Check {
       as_slow(d, e, spec_[*driving.recover], m);
       if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
         need(d, e, "lasts", {{"monitor", driving.name}});
+        if (const auto why = takes_too_much(spec_, d, part, m)) fail(whom(d, e) + ": " + *why);
       }
     }
   }

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "compiler/recheck/at_worst.h"
+#include "compiler/recheck/company.h"
+#include "compiler/recheck/sums.h"
 #include "compiler/sema/same.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -424,6 +426,17 @@ Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
   return covered ? Back::yes : Back::no;
 }
 
+// The more charge there is, and the less the way takes, the better.
+bool Sides::asks_for_charge(const Part& part) const {
+  const auto sum = excess(spec_, *part.expr);
+  if (!sum) return false;
+  return std::ranges::all_of(sum->terms, [&](const auto& term) {
+    const auto& [of, by] = term;
+    if (of.kind == Measured::Kind::battery) return (by > 0) == part.value;
+    return of.kind == Measured::Kind::energy_to && (by < 0) == part.value;
+  });
+}
+
 Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool either) {
   if (const auto* others = std::get_if<sema::ForOthers>(&part.expr->node)) {
     // of all others, where there is none; that there is one never holds then
@@ -436,8 +449,13 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   }
   const bool high = sema::speaks_of_height(*part.expr);
   const auto zones = all_zones(*part.expr);
-  if (zones.empty() && !high) return Back::yes;  // of charge: other claims, and errors
-  if (!rests.own) return Back::no;               // it stands, wherever that is
+  if (sema::speaks_of_charge(*part.expr)) {
+    const auto& recover = rests.monitor.recover;
+    const bool charged = recover && ends_charged(spec_, decision_, spec_[*recover]);
+    return charged && asks_for_charge(part) ? Back::yes : Back::no;
+  }
+  if (zones.empty() && !high) return Back::yes;
+  if (!rests.own) return Back::no;  // it stands, wherever that is
   if (high) {
     const auto solid = claims_.zones().solid(*rests.own);
     if (!solid || solid->slabs().empty()) return Back::no;

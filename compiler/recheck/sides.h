@@ -100,6 +100,7 @@ class Sides {
   [[nodiscard]] Rests rests_of(const sema::Monitor& m, const Rational& extra) const;
   Back back(const Rests& rests, const Part& part, bool either);
   Back back_of_leaf(const Rests& rests, const Part& part, bool either);
+  [[nodiscard]] bool asks_for_charge(const Part& part) const;
 
   const sema::Spec& spec_;
   const sema::Decision& decision_;

@@ -44,7 +44,7 @@ Claim recovery_claim(const Subject& s, std::size_t k) {
 }
 
 std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
-  if (!analysis::goes_to_charge(s.kind, s.spec, s.module, last)) return "";
+  if (!last.charges) return "";
   const std::int64_t off_mm = analysis::rests_off_mm(s.decision.body);
   if (off_mm <= analysis::dock_reach_mm) return "";
   return quoted(last.name) + " may come to rest " + metres(off_mm) + " from " +
@@ -77,6 +77,12 @@ Obligation doubted(Obligation o, Doubt doubt) {
   o.repair = std::move(doubt.repair);
   o.claims.clear();
   return o;
+}
+
+std::string unsound_reason(const Subject& s, std::size_t k) {
+  const sema::Ahead& ahead = s.monitor(k).ahead;
+  if (ahead.duration_unsound) return *ahead.duration_unsound;
+  return ahead.unsound_reason;
 }
 
 Obligation unless_accepted(const Subject& s, std::size_t k, Kind kind,

@@ -17,6 +17,8 @@ Obligation acknowledged(Obligation o, std::string why);
 // Why it is accepted that a recovery breaks what a monitor says; "": it is not.
 std::string reason(const ir::Decision& decision, const std::string& recovery,
                    const std::string& monitor);
+// What the author writes where the look-ahead is less than it takes; "": it is enough.
+std::string unsound_reason(const Subject& s, std::size_t k);
 // What is accepted need not be so. Of a monitor that asks for places or charge what is proved
 // counts; of others the acknowledgement accepts what is reported otherwise (5030 and on), and no
 // proof looks at that.

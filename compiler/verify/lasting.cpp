@@ -27,6 +27,7 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
                              {"monitor", m.name},
                              {"zone", zone.name},
                              {"held_us", text(ceil_to_int(Rational(end->seconds * 1'000'000)))},
+                             {"driven_mm", text(ceil_to_int(Rational(end->metres * 1000)))},
                              {"way_mm", text(way_mm)},
                              {"starts_mm", text(body.radius_mm + keeps_mm)},
                              {"route_mm", text(last.route_clearance_mm)},

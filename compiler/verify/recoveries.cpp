@@ -40,26 +40,42 @@ std::vector<Mend> waits_for_all_charges(const Subject& s, const ir::Monitor& jud
   return all;
 }
 
-// What moves is gated by distances to others. How long it waits for them nothing bounds but what is
-// declared (language rule 6.7): whoever writes `held` accepts that, and the proof is one of all the
-// rest. A run in which a battery fails counts against the monitor's own recovery, unless something
-// else may have spent the charge that the specification accepts.
+// What moves is gated by distances to others, robots and agents. How long it waits for them nothing
+// bounds but what is declared (language rule 6.7): whoever writes `held` accepts that, and the
+// proof is one of all the rest. A run in which a battery fails counts against the monitor's own
+// recovery, unless something else may have spent the charge that the specification accepts.
 Obligation as_long_as_declared(const Subject& s, std::size_t driving, const ir::Monitor& judged,
                                Obligation o) {
   const ir::Decision& d = s.decision;
-  const bool gated = std::ranges::any_of(
-      d.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).distance; });
   const bool alone = d.robots == 1 && !d.open_fleet;
-  if (!gated || alone || !s.kind.energy || !atoms_of(judged.property).charge) return o;
+  const bool by_robots = !alone && std::ranges::any_of(d.monitors, [](const ir::Monitor& m) {
+    return atoms_of(m.property).distance;
+  });
+  const bool by_agents = std::ranges::any_of(
+      d.monitors, [](const ir::Monitor& m) { return atoms_of(m.property).agent; });
+  if (!(by_robots || by_agents) || !s.kind.energy || !atoms_of(judged.property).charge) return o;
   if (!moves_within_zones(d.monitors[driving].recovery)) return o;
   o.status = Status::acknowledged;
   o.method = "declared";
   o.because += ", as long as others keep it waiting within `held`, " +
                seconds(s.kind.energy->held.value) + " in all";
-  o.declared = o.kind == Kind::p2a && std::ranges::none_of(d.acknowledgements, [&](const auto& a) {
-                 return a.monitor == judged.name;
-               });
+  // agents of the simulator stand in nobody's way for long
+  o.declared = by_robots && o.kind == Kind::p2a &&
+               std::ranges::none_of(d.acknowledgements,
+                                    [&](const auto& a) { return a.monitor == judged.name; });
   if (o.declared) o.mends = waits_for_all_charges(s, judged);
+  return o;
+}
+
+// How often others take over before the robot is at its dock, and how much longer its way there
+// becomes over the cells of another zone, nothing bounds but what is declared.
+Obligation within_what_is_declared(const Subject& s, Obligation o) {
+  if (o.status != Status::proved) return o;
+  o.status = Status::acknowledged;
+  o.method = "declared";
+  o.because += ", as long as all that drive before it keep to `held`, " +
+               seconds(s.kind.energy->held.value) + ", and `detour`, " +
+               metres(s.kind.energy->detour.value) + ", in all";
   return o;
 }
 
@@ -145,8 +161,12 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
 
 }  // namespace
 
+// Where the look-ahead is less than it takes, nothing was found clear for as long as it brakes.
 Obligation recovery_keeps(const Subject& s, std::size_t k) {
-  return unless_accepted(s, k, Kind::p2a, [&] { return keeps_its_own(s, k); });
+  Obligation o = unless_accepted(s, k, Kind::p2a, [&] { return keeps_its_own(s, k); });
+  const std::string why = unsound_reason(s, k);
+  if (o.status != Status::proved || why.empty()) return o;
+  return acknowledged(blank(s, k, Kind::p2a), "the look-ahead is declared unsound: " + why);
 }
 
 bool slow_enough(const Subject& s, std::size_t driving, std::size_t judged) {
@@ -395,7 +415,10 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   claim_zones(s, driving, j, o.claims);
   claim_windows(s, judged, o);
   if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {
-    if (const auto lasts = lasting_claim(s, driving)) o.claims.push_back(*lasts);
+    if (const auto lasts = lasting_claim(s, driving)) {
+      o.claims.push_back(*lasts);
+      o = within_what_is_declared(s, std::move(o));
+    }
   }
   return analysis::others_may_break(s.decision, j) ? among_others(s, driving, judged, std::move(o))
                                                    : o;

@@ -33,6 +33,7 @@ class Rest {
 
   AtRest judge() { return judge(monitor_.property, monitor_.property.result, false); }
   [[nodiscard]] bool by_others() const { return others_; }
+  [[nodiscard]] bool uncharged() const { return uncharged_; }
   // Where it is stuck between the sides of an `or`.
   [[nodiscard]] const std::optional<geometry::Point>& stuck() const { return stuck_; }
   // A zone with heights that it does not lead to.
@@ -101,6 +102,7 @@ class Rest {
         return AtRest::kept;
       }
       if (leaf.kind == ir::Leaf::Kind::received) return AtRest::kept;
+      if (is_charge(leaf) && !gets_charged(block, compare)) return AtRest::kept;
       if (leaf.kind == ir::Leaf::Kind::count && s_.decision.robots > 1) {
         others_ = true;
         return AtRest::kept;
@@ -119,6 +121,18 @@ class Rest {
       return AtRest::slow;
     }
     return all;
+  }
+  static bool is_charge(const ir::Leaf& leaf) {
+    return leaf.kind == ir::Leaf::Kind::battery || leaf.kind == ir::Leaf::Kind::energy_to;
+  }
+  // Enough of it comes back where the robot is charged, and nowhere else.
+  bool gets_charged(const ir::Block& block, const ir::AtLeast& compare) {
+    const auto& params = s_.decision.facts.params;
+    const bool enough =
+        ir::lower_bound(block, compare, params) || ir::charge_for_way(block, compare, params);
+    if (enough && last_.charges) return true;
+    uncharged_ = true;
+    return false;
   }
   // Near its floor or ceiling control is not given back, and who keeps its height leads to no
   // other.
@@ -185,7 +199,7 @@ class Rest {
   const ir::Recovery& last_;
   const std::int64_t return_mm_;
   const std::int64_t from_rest_mmps_;
-  bool others_ = false;
+  bool others_ = false, uncharged_ = false;
   std::optional<geometry::Point> stuck_;
   std::optional<ir::ZoneIndex> high_;
 };
@@ -210,6 +224,11 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
     o.because = quoted(m.recovery.name) + " leads away from boundaries, and from no other robot: " +
                 "that robots which have stopped near each other part is not shown";
     o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
+    return o;
+  }
+  if (rest.uncharged()) {
+    o.because = "nobody charges the robot where " + quoted(m.recovery.name) + " leads";
+    o.repair = "a recovery `route to` the site where it is charged";
     return o;
   }
   if (rest.stuck() && ir::goes_back(last.kind)) {

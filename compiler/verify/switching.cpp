@@ -1,5 +1,8 @@
 // P1a, P1b, P3 and the start: what the compiler and the shape of the decision give.
+#include <algorithm>
+
 #include "compiler/support/words.h"
+#include "compiler/verify/about_recovery.h"
 #include "compiler/verify/atoms.h"
 #include "compiler/verify/proofs.h"
 
@@ -11,13 +14,6 @@ Obligation of_monitor(const Subject& s, std::size_t k, Kind kind) {
   o.kind = kind;
   o.monitor = s.decision.monitors[k].name;
   return o;
-}
-
-// What the author writes where the look-ahead is less than it takes.
-std::string unsound_reason(const Subject& s, std::size_t k) {
-  const sema::Ahead& ahead = s.monitor(k).ahead;
-  if (ahead.duration_unsound) return *ahead.duration_unsound;
-  return ahead.unsound_reason;
 }
 
 }  // namespace
@@ -145,6 +141,11 @@ Obligation starts_well(const Subject& s) {
       metres(s.decision.standing_mm) +
       " of its place until it is led away, and where a property is false, a template that moves "
       "leads out (language rules 10 and 11)";
+  const auto of_charge = [](const ir::Monitor& m) { return atoms_of(m.property).charge; };
+  if (std::ranges::any_of(s.decision.monitors, of_charge)) {
+    o.because +=
+        "; a charge has to be enough, from the start on, for the way to where it is charged";
+  }
   o.claims.push_back({"start", {{"decision", s.decision.name}}});
   return o;
 }

@@ -14,8 +14,26 @@ bool accepted(const Expansion& expansion) {
   return acknowledged(expansion.decision(), monitor.recovery.name, monitor.name);
 }
 
+bool leads_there(const Recovery& recovery, std::optional<SiteIndex> site) {
+  return recovery.kind == RecoveryKind::route && (!site || *site == recovery.site);
+}
+
 void refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& atom) {
-  const std::string& recovery = expansion.monitor().recovery.name;
+  const Recovery& of = expansion.monitor().recovery;
+  const std::string& recovery = of.name;
+  const std::string accept =
+      "`acknowledge " + recovery + " may break " + expansion.monitor().name + " \"why\"`";
+  // the way is priced, and what is spent where it ends is not
+  if (leads_there(of, site)) {
+    return expansion.report(
+        {diag::Code::recovery_spends_charge,
+         atom.source,
+         "the recovery `" + recovery + "` ends where nobody charges the robot",
+         "is false sooner or later at `" + expansion.module()[of.site].name + "`",
+         {},
+         "`route to` the site where the robot is charged works; or " + accept,
+         {}});
+  }
   const std::string where =
       site ? "`route to " + expansion.module()[*site].name + "`" : "`route to` a site";
   expansion.report({diag::Code::recovery_spends_charge,
@@ -23,8 +41,7 @@ void refuse(Expansion& expansion, std::optional<SiteIndex> site, const Atom& ato
                     "the recovery `" + recovery + "` spends charge that nobody accounts for",
                     "may be false while `" + recovery + "` drives",
                     {},
-                    "a recovery " + where + " works, its way is priced; or `acknowledge " +
-                        recovery + " may break " + expansion.monitor().name + " \"why\"`",
+                    "a recovery " + where + " works, its way is priced; or " + accept,
                     {}});
 }
 
@@ -38,10 +55,9 @@ ValueId reserve(Expansion& expansion, std::optional<SiteIndex> site, const Need&
                              "only` out, or write the charge in a monitor of its own");
   }
   const Recovery& recovery = expansion.monitor().recovery;
-  const bool drives_there =
-      recovery.kind == RecoveryKind::route && (!site || *site == recovery.site);
+  const bool drives_there = leads_there(recovery, site);
   // refused, and expanded as if it were accepted: a simulation shows what comes of it
-  if (!drives_there && !accepted(expansion)) refuse(expansion, site, atom);
+  if (!(drives_there && recovery.charges) && !accepted(expansion)) refuse(expansion, site, atom);
   if (!site && drives_there) site = recovery.site;
   const auto more = expansion.more_of(need, Unit::ppm, atom.source, atom.to);
   if (!site) return add(atom.to, ChargeReach{need.fixed, more}, atom.source);

@@ -150,6 +150,28 @@ TEST(SpeedLimits, AreConstants) {
   expect_works(text_of("0.5 m/s", "0.478 m/s"));
 }
 
+// It is beside a charge, which nobody shows to be kept: no number of it is blamed.
+TEST(SpeedLimits, OneThatIsKeptIsNotBlamed) {
+  std::string text = text_of("0.8 m/s and d.battery >= 20 % or permit", "0.3 m/s");
+  for (const auto& [from, to] :
+       {std::pair("  output ", "  sense battery : ratio error 1 % max_age 2 s;\n  output "),
+        std::pair(
+            "\n}\nfleet d1 : Drone;",
+            "\n  energy { drive <= 0.15 %/m; idle <= 0.01 %/s; drain <= 0.3 %/s; charge >= 0.4 "
+            "%/s at home; held <= 100 s; detour <= 10 m; }\n}\nfleet d1 : Drone;\n"
+            "site home = (3 m, 3 m);\ninput permit : bool max_age 1 s;")}) {
+    text = edited(text, from, to);
+  }
+  const auto c = compiled(text);
+  ASSERT_EQ(c->diagnostics.all().size(), 1U) << reports(*c);
+  EXPECT_EQ(
+      c->diagnostics.all().front().message,
+      "the recovery `back_off` drives at up to 0.321 m/s, and `calm` is not shown to allow that");
+  const std::string way = "acknowledge back_off may break calm \"why\"";
+  EXPECT_EQ(c->diagnostics.all().front().help, "`" + way + "` works");
+  expect_works(edited(text, "priority calm; ", "priority calm; " + way + "; "));
+}
+
 // Nothing is faster than the declared speed.
 TEST(SpeedLimits, TheDeclaredSpeedIsNeverExceeded) {
   const auto c = compiled(text_of("1 m/s", "1 m/s"));

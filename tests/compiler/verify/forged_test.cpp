@@ -1,4 +1,6 @@
 // Reports in which somebody has written what is not so, sealed anew: each is noticed, and why.
+#include <algorithm>
+
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
@@ -41,6 +43,22 @@ TEST_F(Forged, AChargeIsGivenBackByAWay) {
   for (std::size_t k = claims.size(); k-- > 0;) {
     if (claims[k]["claim"] == "ways") claims.erase(k);
   }
+  expect_noticed("P2b of `battery`: it rests on no claim `ways`");
+}
+
+// What is so of another recovery is no claim about this one.
+TEST_F(Forged, AWayIsThatOfTheMonitorItself) {
+  prove(spec_text(delivery));
+  const auto ways_of = [&](const std::string& monitor) -> Json& {
+    Json& claims = entry("P2b", monitor)["claims"];
+    const auto found = std::find_if(claims.begin(), claims.end(),
+                                    [](const Json& c) { return c["claim"] == "ways"; });
+    EXPECT_NE(found, claims.end());
+    return *found;
+  };
+  const Json other = ways_of("geofence");
+  EXPECT_NE(ways_of("battery"), other);
+  ways_of("battery") = other;
   expect_noticed("P2b of `battery`: it rests on no claim `ways`");
 }
 

@@ -9,10 +9,40 @@
 namespace rtac::driver::test {
 namespace {
 
-// Fields of which no value below zero is unsafe, and why.
-const std::map<std::string, std::string>& less_is_safe() {
-  static const std::map<std::string, std::string> fields = {
-      {"limits.brake_mmps2", "who brakes less than is declared keeps more clear"}};
+// Fields of which one side alone is unsafe, and why the other one is not; both are of all others.
+enum class Unsafe { less, more };
+const std::map<std::string, Unsafe>& one_sided() {
+  static const std::map<std::string, Unsafe> fields = {
+      // who looks further ahead than is asked for acts sooner; what is asked for is written
+      {"horizon.horizon_us", Unsafe::less},
+      {"horizon.lookahead_us", Unsafe::more},
+      // who counts with a worse robot than is declared keeps more clear
+      {"limits.accel_mmps2", Unsafe::less},
+      {"limits.brake_lag_ms", Unsafe::less},
+      {"limits.brake_lag_permille", Unsafe::less},
+      {"limits.brake_mmps2", Unsafe::more},
+      {"limits.disturbance_mmps2", Unsafe::less},
+      {"limits.hold_mm", Unsafe::less},
+      {"limits.jitter_us", Unsafe::less},
+      {"limits.latency_us", Unsafe::less},
+      {"limits.position_age_us", Unsafe::less},
+      {"limits.position_error_mm", Unsafe::less},
+      {"limits.radius_mm", Unsafe::less},
+      {"limits.speed_mmps", Unsafe::less},
+      {"limits.velocity_age_us", Unsafe::less},
+      {"limits.velocity_error_mmps", Unsafe::less},
+      // clearer ways are harder to find
+      {"ways.route_mm", Unsafe::less},
+      {"ways.return_mm", Unsafe::less},
+      {"lasts.route_mm", Unsafe::less},
+      // whoever is held for longer, or drives further, spends more
+      {"lasts.held_us", Unsafe::less},
+      {"lasts.driven_mm", Unsafe::less},
+      // and who sets out nearer to the wall has further to go
+      {"lasts.starts_mm", Unsafe::more},
+      // places that are clearer do as well
+      {"place.clearance_mm", Unsafe::less},
+      {"seen.clearance_mm", Unsafe::less}};
   return fields;
 }
 
@@ -61,10 +91,15 @@ class Mutated : public Verify {
     }
     const std::int64_t by = wrong_by(name, value);
     const auto with = [&](std::int64_t n) { return noticed(field, std::to_string(n)); };
-    // whichever side is the unsafe one
-    EXPECT_TRUE(with(value - by) || with(value + by)) << name << " " << value;
-    if (!less_is_safe().count(name)) {
+    const auto side = one_sided().find(name);
+    const bool less = side == one_sided().end() || side->second == Unsafe::less;
+    const bool more = side == one_sided().end() || side->second == Unsafe::more;
+    if (less) {
+      EXPECT_TRUE(with(value - by)) << name << " " << value;
       EXPECT_TRUE(with(-value - 1)) << name << " " << value;
+    }
+    if (more) {
+      EXPECT_TRUE(with(value + by)) << name << " " << value;
     }
   }
   // The first claim that has it stands for all.

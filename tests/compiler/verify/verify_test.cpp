@@ -205,11 +205,11 @@ TEST_F(Verify, WhereAnExternalRecoveryLeadsMayBeAccepted) {
   const Outcome open = verified(page(""), {"--format", "json"});
   EXPECT_EQ(statuses(open.out, "P2a", "apart"), Statuses{"proved"}) << open.out << open.err;
   EXPECT_EQ(statuses(open.out, "P2b", "apart"), Statuses{"unknown"});
-  const Outcome accepted =
+  const Outcome held =
       verified(page("hold when violated \"somebody comes\";"), {"--format", "json"});
-  EXPECT_EQ(statuses(accepted.out, "P2a", "apart"), Statuses{"proved"}) << accepted.err;
-  EXPECT_EQ(statuses(accepted.out, "P2b", "apart"), Statuses{"acknowledged"});
-  EXPECT_EQ(accepted.status, exit_clean) << accepted.out << accepted.err;
+  EXPECT_EQ(statuses(held.out, "P2a", "apart"), Statuses{"proved"}) << held.err;
+  EXPECT_EQ(statuses(held.out, "P2b", "apart"), Statuses{"acknowledged"});
+  EXPECT_EQ(held.status, exit_clean) << held.out << held.err;
 }
 
 TEST_F(Verify, UnsoundLookAheadIsAcknowledged) {
