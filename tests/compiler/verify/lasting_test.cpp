@@ -92,11 +92,11 @@ TEST_F(Lasting, TheEndOfARecoveryIsFoundOnceMore) {
 TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
   prove(carts());
   for (const auto& [from, to, why] :
-       {std::tuple("held <= 120 s", "held <= 9 s", "lasts longer than `held`"),
-        std::tuple("detour <= 2 m", "detour <= 10 cm", "drives further than `detour`"),
+       {std::tuple("held <= 120 s", "held <= 9 s", "last longer than `held`"),
+        std::tuple("detour <= 2 m", "detour <= 10 cm", "drive further than `detour`"),
         std::tuple("inwards  : safe for Cart = retreat within yard speed 0.2",
                    "inwards  : safe for Cart = retreat within yard speed 0.02", "last longer"),
-        std::tuple("accel <= 1 m/s^2", "accel <= 0.5 m/s^2", "last longer")}) {
+        std::tuple("accel <= 1 m/s^2", "accel <= 0.5 m/s^2", "it may drive further")}) {
     const Outcome o = with_source(from, to);
     EXPECT_EQ(o.status, exit_violation) << to;
     EXPECT_NE((o.out + o.err).find(why), std::string::npos) << to << "\n" << o.out << o.err;
@@ -166,11 +166,11 @@ decision drive for Cart { advanced explore; period 100 ms; priority walls > char
        {"loiter within hall speed 0.4 m/s",
         "sequence retreat within east speed 0.4 m/s for 50 s then retreat within hall speed "
         "0.4 m/s"}) {
-    prove(hall(recovery, "30 m"));
-    const Outcome less = with_source("detour <= 30 m", "detour <= 15 m");
+    prove(hall(recovery, "60 m"));
+    const Outcome less = with_source("detour <= 60 m", "detour <= 30 m");
     EXPECT_EQ(less.status, exit_violation) << less.out << less.err;
-    const Outcome o = verified(hall(recovery, "15 m"), {"--format", "json"});
-    EXPECT_NE(statuses(o.out, "C", "charged"), Statuses{"proved"}) << recovery << o.out;
+    const Outcome o = verified(hall(recovery, "30 m"), {"--format", "json"});
+    EXPECT_EQ(statuses(o.out, "C", "charged"), Statuses{"unknown"}) << recovery << o.out;
   }
 }
 
