@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "compiler/interp/number.h"
+#include "compiler/recheck/at_place.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
@@ -68,6 +69,7 @@ class Condition {
   Condition(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
             const sema::Monitor& monitor, const Rational& left)
       : spec_(spec),
+        decision_(decision),
         claims_(claims),
         monitor_(monitor),
         recovery_(spec[*monitor.recover]),
@@ -100,6 +102,7 @@ class Condition {
       return (v->interval.to || v->op == sema::PastOp::once) && lasts(*v->operand);
     }
     if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) {
+      if (at_ && !alone_) return v->universal && comes_about(*v->body, true);
       return v->universal && (robots_ < 2 || at_);
     }
     const auto* inside = std::get_if<sema::InsideZone>(&e.node);
@@ -150,10 +153,14 @@ class Condition {
     const bool strict = (v.op == Op::greater || v.op == Op::less) == value;
     const auto sum =
         difference(spec_, at_least ? *v.left : *v.right, at_least ? *v.right : *v.left);
-    const bool of_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
+    const bool asks_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
       return term.first.kind == Measured::Kind::distance;
     });
-    if (of_others) return at_ && far(v, at_least);
+    if (asks_others) {
+      return at_ &&
+             far(of_others(at_least ? *v.left : *v.right, at_least ? *v.right : *v.left, spec_),
+                 strict);
+    }
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();
@@ -167,17 +174,20 @@ class Condition {
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
     return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
   }
-  // Agents are far away, and no robot is near that could be counted, where there are no others.
-  [[nodiscard]] bool far(const sema::Compare& v, bool at_least) const {
-    using Agent = sema::AgentDistance;
-    using Count = sema::CountOthers;
-    const sema::Expr& large = at_least ? *v.left : *v.right;
-    const sema::Expr& small = at_least ? *v.right : *v.left;
-    const bool large_counts = sema::speaks_of<Count>(large);
-    const bool small_counts = sema::speaks_of<Count>(small);
-    if ((large_counts || small_counts) && !alone_) return false;
-    return !large_counts && !sema::speaks_of<Agent>(small) &&
-           (sema::speaks_of<Agent>(large) || small_counts);
+  // Agents and robots are far away, though no farther than agents are known, and none is counted
+  // where there are no others.
+  [[nodiscard]] bool far(const std::optional<OfOthers>& others, bool strict) const {
+    if (!others || others->counts_more || (others->counts_less && !alone_)) return false;
+    const auto nearer = [](const auto& of) { return of.second < 0; };
+    if (others->robots < 0 || std::ranges::any_of(others->agents, nearer)) return false;
+    const auto farther =
+        std::ranges::find_if(others->agents, [](const auto& of) { return of.second > 0; });
+    if (farther != others->agents.end()) {
+      const Rational least = -others->rest / farther->second;
+      return !is_out_of_sight(spec_, decision_, farther->first, least);
+    }
+    if (others->robots > 0) return true;
+    return others->counts_less && (strict ? others->rest > 0 : others->rest >= 0);
   }
   // battery >= energy_to(site) + ..., of the site at which it is charged.
   [[nodiscard]] bool way_home(const Sum& sum) const {
@@ -273,6 +283,7 @@ class Condition {
   }
 
   const sema::Spec& spec_;
+  const sema::Decision& decision_;
   Claims& claims_;
   const sema::Monitor& monitor_;
   const sema::Controller& recovery_;
