@@ -1,11 +1,14 @@
 #include "compiler/analysis/return_met.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/site_room.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/operands.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::analysis {
@@ -23,6 +26,7 @@ class Met {
         decision_(decision),
         monitor_(decision.monitors[k]),
         motion_(decision.motions[k + 1]),
+        drives_mmps_(fastest_while_driving(decision, k)),
         last_(ir::last_step(monitor_.recovery)),
         leads_(ir::moves(last_.kind) && last_.kind != ir::RecoveryKind::yield),
         charges_(charges(spec, written)),
@@ -58,12 +62,10 @@ class Met {
     if (const auto* v = std::get_if<ir::And>(&op)) return both(of(block, v->a), of(block, v->b));
     if (const auto* v = std::get_if<ir::Or>(&op)) return either(of(block, v->a), of(block, v->b));
     if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
-      found_.after_us += v->ticks * decision_.period_us;
-      return of(block, v->a);
+      return lasting(block, v->a, v->ticks * decision_.period_us);
     }
     if (const auto* v = std::get_if<ir::Previously>(&op)) {
-      found_.after_us += decision_.period_us;
-      return of(block, v->a);
+      return lasting(block, v->a, decision_.period_us);
     }
     if (const auto* v = std::get_if<ir::Truth>(&op)) {
       return {v->value ? How::itself : How::open};
@@ -71,19 +73,21 @@ class Met {
     if (const auto* v = std::get_if<ir::Fact>(&op)) return of_fact(*v);
     if (const auto* v = std::get_if<ir::Once>(&op)) {
       // what does not hold where it stands may have held on the way there
-      found_.after_us += v->window.from * decision_.period_us;
-      return {of(block, v->a).how};
+      const std::int64_t after_us = v->window.from * decision_.period_us;
+      return {(after_us > 0 ? lasting(block, v->a, after_us) : of(block, v->a)).how};
     }
     if (const auto* v = std::get_if<ir::Historically>(&op)) {
       if (v->window.to < 0) return {};
-      found_.after_us += v->window.to * decision_.period_us;
-      return of(block, v->a);
+      return lasting(block, v->a, v->window.to * decision_.period_us);
     }
     if (std::holds_alternative<ir::InputTruth>(op) || std::holds_alternative<ir::InputIs>(op)) {
       return {How::told};
     }
     if (const auto* v = std::get_if<ir::Not>(&op)) {
-      return {of(block, v->a).how == How::told ? How::told : How::open};
+      turned_ = !turned_;
+      const How how = of(block, v->a).how;
+      turned_ = !turned_;
+      return {how == How::told ? How::told : How::open};
     }
     if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
       // of all others, where there is none; that there is one never comes about then
@@ -93,10 +97,47 @@ class Met {
     if (compare == nullptr || !ir::has_form(block, *compare)) return {};
     return comes_about(block, *compare);
   }
+  // What has to have been so at other moments than this one.
+  Part lasting(const ir::Block& block, ir::ValueId id, std::int64_t after_us) {
+    found_.after_us += after_us;
+    const bool before = std::exchange(lasts_, true);
+    const Part part = of(block, id);
+    lasts_ = before;
+    return part;
+  }
   Part of_fact(const ir::Fact& fact) {
-    if (!fact.of_robot) return {How::told};
     const ir::Block& judged = decision_.facts.monitors[fact.index].property;
-    return of(judged, judged.result);
+    if (fact.of_robot) return of(judged, judged.result);
+    return {comes_again(judged, judged.result, !turned_) ? How::told : How::open};
+  }
+  // Of what inputs say: whatever they said before, they may say it again. That is not so of what
+  // one moment decides for ever.
+  // `value`: to be true or false; none: either.
+  static bool comes_again(const ir::Block& block, ir::ValueId id, std::optional<bool> value) {
+    const ir::Op& op = block[id].op;
+    const auto* const once = std::get_if<ir::Once>(&op);
+    const auto* const always = std::get_if<ir::Historically>(&op);
+    const auto* const of = std::get_if<ir::Aggregate>(&op);
+    if (once != nullptr && once->window.to < 0 && !value.value_or(false)) return false;
+    if (always != nullptr && always->window.to < 0 && value.value_or(true)) return false;
+    if (of != nullptr && of->window.to < 0) return false;
+    if (std::holds_alternative<ir::Elapsed>(op)) return value.value_or(true);
+    const bool either = std::holds_alternative<ir::Or>(op),
+               both = std::holds_alternative<ir::And>(op);
+    const bool plain = either || both || once != nullptr || always != nullptr ||
+                       std::holds_alternative<ir::HeldFor>(op) ||
+                       std::holds_alternative<ir::Previously>(op) ||
+                       std::holds_alternative<ir::Since>(op);
+    std::optional<bool> of_sides = plain ? value : std::nullopt;
+    if (std::holds_alternative<ir::Not>(op) && value) of_sides = !*value;
+    bool all = true, any = false;
+    ir::for_each_operand(op, [&](ir::ValueId side) {
+      const bool again = comes_again(block, side, of_sides);
+      all = all && again;
+      any = any || again;
+    });
+    const bool one_will_do = value && ((either && *value) || (both && !*value));
+    return one_will_do ? any : all;
   }
   static Part both(const Part& a, const Part& b) {
     Part all{std::max(a.how, b.how), a.stuck.unite(b.stuck)};
@@ -107,9 +148,11 @@ class Met {
     }
     return all;
   }
-  // Of a choice the side that is asked for may be either; it fails where both sides do.
-  static Part either(const Part& a, const Part& b) {
+  // Of a choice the side that is asked for may be either; it fails where both sides do. Who loiters
+  // is slow and is not in turn, which inputs do not make up for.
+  [[nodiscard]] Part either(const Part& a, const Part& b) const {
     Part any{std::min(a.how, b.how)};
+    if (in_laps() && any.how == How::told && a.how != b.how) return {How::open};
     if (any.how != How::open) return any;
     any.stuck = a.stuck.intersect(b.stuck);
     any.shown_mmps = a.shown_mmps ? a.shown_mmps : b.shown_mmps;
@@ -130,12 +173,23 @@ class Met {
     if (most && most->leaf.kind == ir::Leaf::Kind::speed) return slow(most->most);
     return found(height(least, most));
   }
+  [[nodiscard]] bool in_laps() const { return lasts_ && last_.kind == ir::RecoveryKind::loiter; }
   // At rest, it is seen to be so slow whatever the sample: that some sample would show it is not
-  // enough, as all of them may be as old as they may.
+  // enough, as all of them may be as old as they may. Who loiters rests between laps alone.
   [[nodiscard]] Part slow(std::int64_t most_mmps) const {
     const std::int64_t shown_mmps = shown_speed_mmps(decision_, motion_);
+    if (in_laps()) {
+      const std::int64_t laps_mmps = std::max(shown_mmps, drives_mmps_ + seen_faster_mmps());
+      return {most_mmps >= laps_mmps ? How::itself : How::open};
+    }
     if (most_mmps >= shown_mmps) return {How::itself};
     return {How::open, {}, shown_mmps};
+  }
+  // Than it is: as fast as one may look that stands.
+  [[nodiscard]] std::int64_t seen_faster_mmps() const {
+    ir::Motion stands = motion_;
+    stands.speed_mmps = 0;
+    return shown_speed_mmps(decision_, stands);
   }
   // As clear of its own zone as it is where it has led, a robot is seen to be so clear of this one.
   Part clear(ir::ZoneIndex zone, std::int64_t least_mm) {
@@ -214,10 +268,13 @@ class Met {
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const ir::Motion& motion_;
+  const std::int64_t drives_mmps_;
   const ir::Recovery& last_;
   const bool leads_, charges_;
   const ExactZone& exact_;
   const ExactSolid& solid_;
+  bool lasts_ = false;   // what is asked of has to last, or was so earlier
+  bool turned_ = false;  // it is to be false
   ir::Returns found_;
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/recheck/at_place.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/return_when.h"
@@ -21,7 +22,7 @@ class JointReturn {
  public:
   JointReturn(const sema::Spec& spec, const sema::Decision& decision, const Entry& entry,
               Claims& claims)
-      : spec_(spec), d_(decision), e_(entry), claims_(claims) {}
+      : spec_(spec), d_(decision), e_(entry), claims_(claims), there_(spec, decision, claims) {}
 
   std::vector<std::string> run() {
     apart();
@@ -30,11 +31,17 @@ class JointReturn {
     // which ask for no place then
     const std::set<std::string> alone = names_in(told ? text(told->values, "alone") : "");
     gone_at_once(alone);
+    for (const sema::MonitorId id : d_.priority) {
+      const sema::Monitor& m = spec_[id];
+      if (alone.contains(m.name) || !asks_out_of_sight(spec_, d_, *m.always)) continue;
+      fail("no agent is known to be as far away as `" + m.name + "` asks");
+    }
     if (has(e_, "no_fences", {{"decision", d_.name}})) {
       for (const sema::MonitorId id : d_.priority) {
         if (!spec_[id].ahead.waypoints_only) in_its_zones(spec_[id], told, {});
       }
       (void)heights_said(alone);
+      charged_somewhere(alone);
     } else {
       at_a_place(told, alone);
     }
@@ -51,6 +58,7 @@ class JointReturn {
     std::set<std::string> zones, places, named;
     std::set<std::string> heights = heights_said(alone);
     std::string height;
+    Spot spot;
     const auto asks = [&](sema::MonitorId id) {
       return !spec_[id].ahead.waypoints_only && !alone.contains(spec_[id].name);
     };
@@ -67,6 +75,7 @@ class JointReturn {
                         ? c.values.at("x_mm") + " " + c.values.at("y_mm")
                         : "");
       if (c.values.count("z_mm") != 0) heights.insert(c.values.at("z_mm"));
+      spot = spot_of(c);
       zones.erase(c.values.count("zone") != 0 ? c.values.at("zone") : "");
       named.insert(text(c.values, "zone"));
       if (c.what == "place") height = text(c.values, "z_mm");
@@ -91,7 +100,36 @@ class JointReturn {
     if (!zones.empty()) fail("nothing is said of zone `" + *zones.begin() + "`");
     if (places.size() > 1 || heights.size() > 1) fail("it is not one place");
     named.erase("");
-    all_at_once(named, height);
+    spot.zones = named;
+    if (places.empty()) {
+      charged_somewhere(alone);
+    } else if (!is_charged(spot, alone)) {
+      fail(too_dear);
+    }
+    all_at_once(named, height, alone);
+  }
+  static constexpr const char* too_dear = "no battery has enough for the ways from there";
+  static Spot spot_of(const Claim& c) {
+    const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
+    const auto z = number(c.values, "z_mm");
+    Spot spot{{milli(x.value_or(0)), milli(y.value_or(0))}, std::nullopt, {}};
+    if (z) spot.z = milli(*z);
+    return spot;
+  }
+  // A full battery is enough for all ways that begin there and are asked charge for.
+  bool is_charged(const Spot& spot, const std::set<std::string>& alone) {
+    return std::ranges::all_of(d_.priority, [&](sema::MonitorId id) {
+      const sema::Monitor& m = spec_[id];
+      const bool looks = !m.ahead.waypoints_only && !alone.contains(m.name);
+      return (!looks || there_.gives_back(m, spot)) && there_.lets_go(m, spot);
+    });
+  }
+  // Where no place is asked for, any will do.
+  void charged_somewhere(const std::set<std::string>& alone) {
+    const std::vector<Spot> sites = there_.sites();
+    const bool any =
+        std::ranges::any_of(sites, [&](const Spot& spot) { return is_charged(spot, alone); });
+    if (!any) fail(too_dear);
   }
   // No two robots are farther apart than the box of a zone that both are held in, less the body on
   // each side.
@@ -220,7 +258,8 @@ class JointReturn {
     return most;
   }
   // Of robots that are to be so far apart each has a place in all of these zones.
-  void all_at_once(const std::set<std::string>& zones, const std::string& height) {
+  void all_at_once(const std::set<std::string>& zones, const std::string& height,
+                   const std::set<std::string>& alone) {
     const auto robots = std::ranges::count(spec_.robots, d_.kind, &sema::Robot::kind);
     const Rational apart = both_given_back();
     if (robots < 2 || apart <= 0 || zones.empty()) return;
@@ -240,6 +279,7 @@ class JointReturn {
         return;
       }
       centres.push_back({milli(at.begin()->first), milli(at.begin()->second)});
+      if (!is_charged({centres.back(), std::nullopt, zones}, alone)) fail(too_dear);
     }
     for (std::size_t k = 1; k < centres.size(); ++k) {
       for (std::size_t j = 0; j < k; ++j) {
@@ -255,6 +295,7 @@ class JointReturn {
   const sema::Decision& d_;
   const Entry& e_;
   Claims& claims_;
+  AtPlace there_;
   std::vector<std::string> doubts_;
 };
 

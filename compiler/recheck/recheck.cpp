@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/recheck/acceptable.h"
+#include "compiler/recheck/at_place.h"
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
@@ -249,6 +250,36 @@ class Check {
     one_place(d, e, m);
     if (const std::string limit = limit_unseen(spec_, d, *m.always); !limit.empty()) {
       fail(whom(d, e) + ": " + limit);
+    }
+    seen_beside_zones(d, e, m);
+  }
+  // Charge and heights at the place that is claimed, or anywhere where none is; and whether others
+  // can be as far away as is asked.
+  void seen_beside_zones(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    std::vector<Spot> spots;
+    for (const Claim& c : e.claims) {
+      if (c.what != "seen" || text(c.values, "decision") != d.name) continue;
+      if (spots.empty()) spots.emplace_back();
+      const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
+      spots[0].at = {milli(x.value_or(0)), milli(y.value_or(0))};
+      if (const auto z = number(c.values, "z_mm")) spots[0].z = milli(*z);
+      spots[0].zones.insert(text(c.values, "zone"));
+    }
+    AtPlace there(spec_, d, claims_);
+    if (spots.empty()) spots = there.sites();
+    if (std::ranges::none_of(spots, [&](const Spot& spot) { return there.is_seen(m, spot); })) {
+      fail(whom(d, e) + ": its charge, or a height, need not be seen at that place");
+    }
+    if (asks_out_of_sight(spec_, d, *m.always)) {
+      fail(whom(d, e) + ": no agent is known to be so far away");
+    }
+    const auto asked = distance_asked(spec_, d, *m.always);
+    const double radius = spec_[d.kind].radius.value.get_d();
+    for (const sema::ZoneId zone : kept_in(spec_, *m.always)) {
+      const geometry::Region* const region = claims_.zones().region(zone);
+      if (!asked || region == nullptr) continue;
+      if (asked->get_d() + 2 * radius <= widest_apart(*region, radius)) continue;
+      fail(whom(d, e) + ": no two robots are so far apart in `" + claims_.zones().name(zone) + "`");
     }
   }
   void told(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const char* value) {

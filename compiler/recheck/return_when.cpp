@@ -1,8 +1,10 @@
 #include "compiler/recheck/return_when.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler/interp/number.h"
+#include "compiler/recheck/at_place.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
@@ -11,11 +13,63 @@
 namespace rtac::recheck {
 namespace {
 
+// Whether a part of it looks back without an end.
+bool remembers(const sema::Expr& e) {
+  bool found = false;
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto* const past = std::get_if<sema::Past>(&part.node);
+    const auto* const of = std::get_if<sema::Aggregate>(&part.node);
+    found = found || (past != nullptr && !past->interval.to) || (of != nullptr && !of->interval.to);
+  });
+  return found;
+}
+bool comes_again(const sema::Expr& e, bool value);
+bool comes_again(const sema::Logic& v, bool value) {
+  using Op = sema::LogicOp;
+  const auto is = [&](std::size_t k, bool wanted) { return comes_again(*v.operands[k], wanted); };
+  const auto each = [&](const sema::ExprPtr& x) { return comes_again(*x, value); };
+  switch (v.op) {
+    case Op::logical_not:
+      return is(0, !value);
+    case Op::implies:
+      return value ? is(0, false) || is(1, true) : is(0, true) && is(1, false);
+    case Op::logical_and:
+    case Op::logical_or:
+      return (v.op == Op::logical_and) == value ? std::ranges::all_of(v.operands, each)
+                                                : std::ranges::any_of(v.operands, each);
+    case Op::iff:
+    case Op::logical_xor:
+      break;
+  }
+  const bool same = (v.op == Op::iff) == value;
+  return (is(0, true) || is(1, !same)) && (is(0, false) || is(1, same));
+}
+// What inputs say may be so again, whatever they have said before; not where one moment of an
+// endless past decides it.
+bool comes_again(const sema::Expr& e, bool value) {
+  if (const auto* v = std::get_if<sema::Logic>(&e.node)) return comes_again(*v, value);
+  if (const auto* v = std::get_if<sema::Past>(&e.node)) {
+    const bool decides = !v->interval.to && (v->op == sema::PastOp::once) != value;
+    return !decides && comes_again(*v->operand, value);
+  }
+  if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return comes_again(*v->operand, value);
+  if (const auto* v = std::get_if<sema::Previously>(&e.node))
+    return comes_again(*v->operand, value);
+  if (const auto* v = std::get_if<sema::Since>(&e.node)) {
+    return comes_again(*v->left, value) && comes_again(*v->right, value);
+  }
+  if (const auto* v = std::get_if<sema::WithinOf>(&e.node)) {
+    return comes_again(*v->operand, value) && comes_again(*v->trigger, !value);
+  }
+  return !remembers(e);
+}
+
 class Condition {
  public:
   Condition(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
             const sema::Monitor& monitor, const Rational& left)
       : spec_(spec),
+        decision_(decision),
         claims_(claims),
         monitor_(monitor),
         recovery_(spec[*monitor.recover]),
@@ -35,28 +89,39 @@ class Condition {
  private:
   // That `e` becomes true, or false.
   bool comes_about(const sema::Expr& e, bool value) {
-    if (!sema::speaks_of_robot(e)) return true;
+    if (!sema::speaks_of_robot(e)) return at_ || comes_again(e, value);
     if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value);
     if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compares(*v, value);
     if (!value) return false;
-    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return comes_about(*v->operand, true);
-    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
-      return comes_about(*v->operand, true);
-    }
+    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return lasts(*v->operand);
+    if (const auto* v = std::get_if<sema::Previously>(&e.node)) return lasts(*v->operand);
     if (const auto* v = std::get_if<sema::Past>(&e.node)) {
-      return (v->interval.to || v->op == sema::PastOp::once) && comes_about(*v->operand, true);
+      if (v->op == sema::PastOp::once && v->interval.from.value == 0) {
+        return comes_about(*v->operand, true);
+      }
+      return (v->interval.to || v->op == sema::PastOp::once) && lasts(*v->operand);
     }
     if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) {
+      if (at_ && !alone_) return v->universal && comes_about(*v->body, true);
       return v->universal && (robots_ < 2 || at_);
     }
     const auto* inside = std::get_if<sema::InsideZone>(&e.node);
     return inside != nullptr && clear(inside->zone, 0);
   }
+  // What has to have been so at other moments than this one.
+  bool lasts(const sema::Expr& e) {
+    const bool before = std::exchange(lasts_, true);
+    const bool found = comes_about(e, true);
+    lasts_ = before;
+    return found;
+  }
   // A negation moves inwards.
   bool logic(const sema::Logic& v, bool value) {
     using Op = sema::LogicOp;
     const auto is = [&](std::size_t k, bool wanted) { return comes_about(*v.operands[k], wanted); };
-    const auto told = [&](std::size_t k) { return !sema::speaks_of_robot(*v.operands[k]); };
+    const auto told = [&](std::size_t k) {
+      return !sema::speaks_of_robot(*v.operands[k]) && !remembers(*v.operands[k]);
+    };
     switch (v.op) {
       case Op::logical_not:
         return is(0, !value);
@@ -65,8 +130,14 @@ class Condition {
       case Op::logical_and:
       case Op::logical_or: {
         const auto each = [&](const sema::ExprPtr& x) { return comes_about(*x, value); };
-        return (v.op == Op::logical_and) == value ? std::ranges::all_of(v.operands, each)
-                                                  : std::ranges::any_of(v.operands, each);
+        if ((v.op == Op::logical_and) == value) return std::ranges::all_of(v.operands, each);
+        // in turn it is slow and it is not, which inputs do not make up for
+        const auto by_itself = [&](const sema::ExprPtr& x) {
+          return sema::speaks_of_robot(*x) && each(x);
+        };
+        return lasts_ && loiters() ? std::ranges::any_of(v.operands, by_itself) ||
+                                         std::ranges::all_of(v.operands, each)
+                                   : std::ranges::any_of(v.operands, each);
       }
       case Op::iff:
         return value && (told(0) || told(1) || (is(0, true) && is(1, true)));
@@ -82,10 +153,14 @@ class Condition {
     const bool strict = (v.op == Op::greater || v.op == Op::less) == value;
     const auto sum =
         difference(spec_, at_least ? *v.left : *v.right, at_least ? *v.right : *v.left);
-    const bool of_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
+    const bool asks_others = !sum || std::ranges::any_of(sum->terms, [](const auto& term) {
       return term.first.kind == Measured::Kind::distance;
     });
-    if (of_others) return at_ && far(v, at_least);
+    if (asks_others) {
+      return at_ &&
+             far(of_others(at_least ? *v.left : *v.right, at_least ? *v.right : *v.left, spec_),
+                 strict);
+    }
     if (sum->terms.size() == 2) return way_home(*sum);
     if (sum->terms.size() != 1) return false;
     const auto& [of, by] = *sum->terms.begin();
@@ -99,17 +174,20 @@ class Condition {
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
     return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
   }
-  // Agents are far away, and no robot is near that could be counted, where there are no others.
-  [[nodiscard]] bool far(const sema::Compare& v, bool at_least) const {
-    using Agent = sema::AgentDistance;
-    using Count = sema::CountOthers;
-    const sema::Expr& large = at_least ? *v.left : *v.right;
-    const sema::Expr& small = at_least ? *v.right : *v.left;
-    const bool large_counts = sema::speaks_of<Count>(large);
-    const bool small_counts = sema::speaks_of<Count>(small);
-    if ((large_counts || small_counts) && !alone_) return false;
-    return !large_counts && !sema::speaks_of<Agent>(small) &&
-           (sema::speaks_of<Agent>(large) || small_counts);
+  // Agents and robots are far away, though no farther than agents are known, and none is counted
+  // where there are no others.
+  [[nodiscard]] bool far(const std::optional<OfOthers>& others, bool strict) const {
+    if (!others || others->counts_more || (others->counts_less && !alone_)) return false;
+    const auto nearer = [](const auto& of) { return of.second < 0; };
+    if (others->robots < 0 || std::ranges::any_of(others->agents, nearer)) return false;
+    const auto farther =
+        std::ranges::find_if(others->agents, [](const auto& of) { return of.second > 0; });
+    if (farther != others->agents.end()) {
+      const Rational least = -others->rest / farther->second;
+      return !is_out_of_sight(spec_, decision_, farther->first, least);
+    }
+    if (others->robots > 0) return true;
+    return others->counts_less && (strict ? others->rest > 0 : others->rest >= 0);
   }
   // battery >= energy_to(site) + ..., of the site at which it is charged.
   [[nodiscard]] bool way_home(const Sum& sum) const {
@@ -156,10 +234,20 @@ class Condition {
     return keeps_heights(*monitor_.return_when, true, solid->slabs().front().floor + rest, 0) &&
            keeps_heights(*monitor_.return_when, true, solid->slabs().back().ceiling - rest, 0);
   }
+  // It goes on in laps where it has been led to; at a place it stays.
+  [[nodiscard]] bool loiters() const {
+    if (at_) return false;
+    const auto steps = sema::templates_of(recovery_);
+    return !steps.empty() && std::holds_alternative<sema::Loiter>(steps.back());
+  }
   [[nodiscard]] Rational drives() const { return driven_at_most(numbers_, recovery_); }
   // And it may have gained speed since its position was measured.
   [[nodiscard]] Rational shown_speed() const {
     const Rational first = seen_at_rest(numbers_);
+    // who loiters rests between laps alone
+    if (lasts_ && loiters()) {
+      return first + std::max(drives(), std::min(numbers_.speed, numbers_.stands));
+    }
     return std::min(std::max(drives(), first),
                     Rational(first + planar_accel(numbers_) * numbers_.position_age));
   }
@@ -195,6 +283,7 @@ class Condition {
   }
 
   const sema::Spec& spec_;
+  const sema::Decision& decision_;
   Claims& claims_;
   const sema::Monitor& monitor_;
   const sema::Controller& recovery_;
@@ -202,6 +291,7 @@ class Condition {
   const Numbers numbers_;
   int robots_ = 0;
   bool alone_ = false;
+  bool lasts_ = false;  // what is asked of has to last, or was so earlier
   std::optional<geometry::Point> at_;
   std::optional<Rational> z_;
 };

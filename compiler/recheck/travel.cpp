@@ -363,6 +363,13 @@ std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const sema::De
          around_seconds(*travel, decision, recovery, steps.back());
 }
 
+std::optional<Rational> priced_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                       const Rational& speed, const Rational& cell,
+                                       const Rational& way) {
+  const Travel travel(kind, decision, Rational(ceil_to_int(Rational(speed * 1000))) / 1000);
+  return travel.gets_on() ? std::optional(travel.seconds(way, cell)) : std::nullopt;
+}
+
 std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,
                                       const sema::Controller& recovery,
                                       const std::optional<Rational>& cell, const Rational& way,

@@ -22,9 +22,13 @@ std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Dec
 std::optional<Rational> legs_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                      const sema::Controller& recovery, const Rational& cell,
                                      const Rational& way, int legs, int looks);
-// How far it drives for that, past where control is given back, and in the steps before and as long
-// as it circles afterwards, `after` the condition of return needs: along a way over cells of `cell`
-// which begins beside it, or a leg.
+// What the price of a way over cells counts, which is driven at `speed`: nothing but the way.
+std::optional<Rational> priced_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
+                                       const Rational& speed, const Rational& cell,
+                                       const Rational& way);
+// How far a recovery drives until control is given back, past where that is, and in the steps
+// before and as long as it circles afterwards, `after` the condition of return needs: along a way
+// over cells of `cell` which begins beside it, or a leg.
 std::optional<Rational> driven_metres(const sema::RobotKind& kind, const sema::Decision& decision,
                                       const sema::Controller& recovery,
                                       const std::optional<Rational>& cell, const Rational& way,

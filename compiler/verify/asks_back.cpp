@@ -7,6 +7,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/at_place.h"
 #include "compiler/verify/common_place.h"
 #include "compiler/verify/proofs.h"
 
@@ -27,7 +28,8 @@ void add(std::vector<Need>& all, const Need& need) {
 class AsksBack {
  public:
   AsksBack(const Subject& s, std::size_t k)
-      : decision_(s.decision),
+      : subject_(s),
+        decision_(s.decision),
         monitor_(s.decision.monitors[k]),
         motion_(s.decision.motions[k + 1]) {}
 
@@ -106,6 +108,7 @@ class AsksBack {
     using Kind = ir::Leaf::Kind;
     if (!ir::has_form(block, compare)) return {false};
     const auto& params = decision_.facts.params;
+    // which place leaves enough of it is a matter of prices (at_place.h)
     if (ir::charge_for_way(block, compare, params)) return {};
     const auto least = ir::lower_bound(block, compare, params);
     if (least && least->leaf.kind == Kind::clearance) {
@@ -127,12 +130,17 @@ class AsksBack {
     if (is(most, Kind::speed)) {
       return {most->most >= analysis::shown_speed_mmps(decision_, motion_)};
     }
-    Part part{is(least, Kind::battery) || is(least, Kind::distance) || is(least, Kind::agent) ||
-              (is(most, Kind::count) && is_alone())};
+    if (is(least, Kind::agent)) {
+      const ir::AgentIndex agent{least->leaf.table};
+      return {!is_out_of_sight(subject_, agent, least->need.strictest)};
+    }
+    const bool none_counted = is(most, Kind::count) && is_alone() && most->most >= 0;
+    Part part{is(least, Kind::battery) || is(least, Kind::distance) || none_counted};
     part.of_others = is(least, Kind::distance);
     return part;
   }
 
+  const Subject& subject_;
   const ir::Decision& decision_;
   const ir::Monitor& monitor_;
   const ir::Motion& motion_;

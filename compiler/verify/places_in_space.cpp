@@ -11,6 +11,7 @@
 #include "compiler/ir/linear.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
+#include "compiler/verify/at_place.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/room_for_all.h"
 
@@ -88,7 +89,11 @@ bool is_clear(const geometry::Solid& solid, const Spot& spot, const Rational& ga
 class Together {
  public:
   Together(const Subject& s, const JointNeeds& joint)
-      : s_(s), joint_(joint), needs_(all_of(joint)), band_(band_of(s)) {
+      : s_(s),
+        joint_(joint),
+        needs_(all_of(joint)),
+        band_(band_of(s)),
+        charged_(asks_for_charge(s)) {
     band_.least_mm = std::max(band_.least_mm, joint.low_mm);
     band_.most_mm = std::min(band_.most_mm, joint.high_mm);
   }
@@ -154,7 +159,11 @@ class Together {
     });
   }
   [[nodiscard]] bool accepts(const Spot& spot) const {
-    return spot.z_mm >= band_.least_mm && spot.z_mm <= band_.most_mm && is_clear_of(needs_, spot);
+    return spot.z_mm >= band_.least_mm && spot.z_mm <= band_.most_mm && is_charged(spot) &&
+           is_clear_of(needs_, spot);
+  }
+  [[nodiscard]] bool is_charged(const Spot& spot) const {
+    return !charged_ || is_charged_at(s_, {spot.x_mm, spot.y_mm, spot.z_mm}, needs_);
   }
   // Of the height at which one robot is given back.
   [[nodiscard]] Floor floor_at(std::int64_t z_mm) const {
@@ -167,20 +176,32 @@ class Together {
       }
     }
     floor.has = [this, z_mm](const geometry::Point& p) {
-      return is_clear_of(joint_.zones, {in_mm(p.x), in_mm(p.y), z_mm});
+      const Spot spot{in_mm(p.x), in_mm(p.y), z_mm};
+      return is_charged(spot) && is_clear_of(joint_.zones, spot);
     };
     floor.z_mm = z_mm;
     return floor;
   }
   [[nodiscard]] std::optional<Spot> find() const {
+    const std::vector<Place> sites = charged_ ? charging_places(s_) : std::vector<Place>();
     if (needs_.empty() && band_.least_mm <= band_.most_mm) {
-      return Spot{0, 0, std::clamp<std::int64_t>(0, band_.least_mm, band_.most_mm)};
+      Spot spot{0, 0, std::clamp<std::int64_t>(0, band_.least_mm, band_.most_mm)};
+      if (is_charged(spot)) return spot;
+      for (const Place& site : sites) {
+        spot.x_mm = site.x_mm, spot.y_mm = site.y_mm;
+        if (is_charged(spot)) return spot;
+      }
+      return std::nullopt;
     }
     for (const Need& need : needs_) {
       const ir::ZoneTable& zone = s_.module[need.zone];
       Spot spot{zone.widest_x_mm, zone.widest_y_mm, zone.has_height() ? zone.widest_z_mm : 0};
       spot.z_mm = std::clamp(spot.z_mm, std::min(band_.least_mm, band_.most_mm), band_.most_mm);
       if (accepts(spot)) return spot;
+      for (const Place& site : sites) {
+        const Spot there{site.x_mm, site.y_mm, spot.z_mm};
+        if (accepts(there)) return there;
+      }
     }
     // a corner of what is left; on the grid it is up to 2 mm beside it
     const geometry::Solid left = common(-2, std::nullopt);
@@ -218,6 +239,7 @@ class Together {
   const JointNeeds& joint_;
   std::vector<Need> needs_;
   Band band_;
+  const bool charged_;  // enough of it is needed for ways that begin there
 };
 
 }  // namespace

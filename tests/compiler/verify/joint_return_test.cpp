@@ -153,5 +153,108 @@ decision fly for Cart { advanced pilot; period 50 ms; priority quiet; }
   EXPECT_EQ(statuses(alone.out, "P2b", "quiet"), Statuses{"proved"}) << alone.out;
 }
 
+// A cart that takes a tenth of its charge for a metre and more, far from its dock.
+std::string charged(const std::string& reserve, const std::string& far = "(7 m, 7 m)") {
+  return "spec charge;\nzone yard = rectangle (0 m, 0 m) to (8 m, 8 m);\nzone far = rectangle " +
+         far + R"( to (8 m, 8 m);
+robot Cart {
+  body radius 10 cm;
+  motion unicycle { speed <= 0.3 m/s; turn <= 2 rad/s; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 10 rad/s^2; }
+  sense position : point error 1 cm max_age 100 ms;
+  sense heading : angle error 2 deg max_age 100 ms;
+  sense velocity : vector error 1 cm/s max_age 100 ms;
+  sense battery : ratio error 1 % max_age 2 s;
+  output push : twist;
+  latency 20 ms;
+  energy { drive <= 7 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 100 s; detour <= 3 m; }
+}
+fleet one : Cart;
+site home = (1 m, 1 m);
+controller explore : advanced for Cart extern;
+controller inwards : safe for Cart = retreat within far speed 0.2 m/s;
+controller go_home : safe for Cart = route to home within yard speed 0.2 m/s;
+monitor stay for c : Cart { "R1" always c inside far; recover inwards; }
+monitor charge for c : Cart { "R2" always c.battery >= energy_to(home) + )" +
+         reserve + R"(; recover go_home; }
+decision go for Cart { advanced explore; period 50 ms; priority charge > stay; acknowledge go_home may break stay "a test"; }
+)";
+}
+
+// A place is none where a full battery is not enough for the way from there.
+TEST_F(JointReturn, ThereIsEnoughChargeForTheWayFromThere) {
+  expect_not_proved("joint return", charged("1 %"), charged("45 %"),
+                    "no battery has enough for the ways from there");
+  // nearer to the dock there is
+  verified(charged("30 %", "(0 m, 0 m)"), {"--attack", "1", "-o", "certificates"});
+  EXPECT_EQ(status_of(Json::parse(read("certificates/verification.json")), "joint return"),
+            "proved");
+  EXPECT_NE(recheck_sealed_anew().status, exit_violation);
+}
+
+// Charge and a zone in one property, which is seen at one place.
+TEST_F(JointReturn, ChargeIsSeenWhereTheZoneIs) {
+  const auto page = [](const std::string& reserve) {
+    std::string text = edited(charged("1 %"), "always c inside far",
+                              "always c inside far and c.battery >= energy_to(home) + " + reserve);
+    return edited(text, "priority charge > stay;",
+                  "priority charge > stay; acknowledge inwards may break stay \"a test\";");
+  };
+  expect_not_proved("satisfiable", page("1 %"), page("40 %"), "need not be seen at that place");
+}
+
+TEST_F(JointReturn, AHeightIsSeenWhereTheZoneIs) {
+  const auto page = [](const std::string& least) {
+    return "spec heights;\nzone hall = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 10 "
+           "m;\n" +
+           a_quad + R"(controller back : safe for Quad = retreat within hall speed 0.5 m/s;
+monitor walls for r : Quad { "R1" always r inside hall and r.position.z >= )" +
+           least + R"(; recover back; hold when violated "a test"; }
+decision fly for Quad { advanced policy; period 50 ms; priority walls; acknowledge back may break walls "a test"; }
+)";
+  };
+  // above the middle of the hall, and above all of it
+  expect_not_proved("satisfiable", page("6 m"), page("20 m"), "need not be seen at that place");
+}
+
+TEST_F(JointReturn, NobodyIsFartherAwayThanCanBe) {
+  const auto apart = [](const std::string& gap) {
+    return "spec apart;\nzone hall = rectangle (0 m, 0 m) to (12 m, 12 m);\n" + cart +
+           R"(fleet c, d : Cart;
+controller tour : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor one for r : Cart { "R1" always r inside hall and forall q : Cart, q != r : distance(r, q) >= )" +
+           gap + R"(; recover stop; hold when violated "a test"; }
+decision lead for Cart { advanced tour; period 50 ms; priority one; }
+)";
+  };
+  expect_not_proved("satisfiable", apart("1 m"), apart("100 m"), "no two robots are so far apart");
+  const auto agent = [](const std::string& gap) {
+    return "spec agent;\nagent man : radius 25 cm, speed <= 1 m/s error 5 cm max_age 200 ms;\n" +
+           cart + R"(fleet c : Cart;
+controller tour : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor one for r : Cart { "R1" always distance(r, man) >= )" +
+           gap + R"(; recover stop; hold when violated "a test"; }
+decision lead for Cart { advanced tour; period 50 ms; priority one; acknowledge stop may break one "a test"; }
+)";
+  };
+  expect_not_proved("satisfiable", agent("1 m"), agent("150 km"), "known to be so far away");
+  expect_not_proved("joint return", agent("1 m"), agent("150 km"), "known to be as far away");
+}
+
+// Others are far from where control is given back, however a comparison is written.
+TEST_F(JointReturn, AnAgentIsFarAndNotNear) {
+  const auto page = [](const std::string& when) {
+    return edited(returning(when), "input permit",
+                  "agent man : radius 25 cm, speed <= 1 m/s error 5 cm max_age 200 ms;\n"
+                  "input permit");
+  };
+  const std::string far = page("distance(r, man) - 3 m >= 0 m");
+  for (const char* const near : {"3 m - distance(r, man) >= 0 m", "0 m <= 3 m - distance(r, man)",
+                                 "distance(r, man) >= 150 km"}) {
+    expect_not_proved("joint return", far, page(near), "`return when` of `one` may not hold");
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
