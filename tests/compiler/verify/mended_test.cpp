@@ -1,7 +1,6 @@
 // Each specification that is refuted, with the change that its lines `// mended: FROM => TO` name:
 // everything is proved or acknowledged. The certificates of that, put under the specification as it
 // was and sealed anew, are denied.
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,10 +9,6 @@
 
 namespace rtac::driver::test {
 namespace {
-
-std::string folder() {
-  return std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/";
-}
 
 struct Page {
   std::string broken, mended;
@@ -45,9 +40,9 @@ class Mended : public Verify, public ::testing::WithParamInterface<std::string> 
 
 TEST_P(Mended, IsProvedAndSaysNothingOfWhatItWas) {
   for (const char* shared : {"battery.rta", "parts.rta", "space_parts.rta"}) {
-    write(shared, read(folder() + shared));
+    write(shared, read(refuted_folder() + shared));
   }
-  const Page page = page_of(read(folder() + GetParam() + ".rta"));
+  const Page page = page_of(read(refuted_folder() + GetParam() + ".rta"));
   const Outcome o = verified(page.mended, {"-o", "certificates"});
   ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
   EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
@@ -58,16 +53,7 @@ TEST_P(Mended, IsProvedAndSaysNothingOfWhatItWas) {
   EXPECT_EQ(denied.status, exit_violation) << denied.out << denied.err;
 }
 
-std::vector<std::string> names() {
-  std::vector<std::string> all;
-  for (const auto& entry : fs::directory_iterator(folder())) {
-    const std::string name = entry.path().stem().string();
-    if (read(entry.path()).starts_with("// refuted: ")) all.push_back(name);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-INSTANTIATE_TEST_SUITE_P(Specs, Mended, ::testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Specs, Mended, ::testing::ValuesIn(refuted_names()),
                          [](const auto& spec) { return spec.param; });
 
 }  // namespace

@@ -74,15 +74,10 @@ void is_refuted_and_shown(const std::string& path, const Expected& e) {
   EXPECT_NE(again.out.find(e.shown()), std::string::npos) << again.out;
 }
 
-const std::string& folder() {
-  static const std::string path = std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/";
-  return path;
-}
-
 class Refuted : public Shown, public ::testing::WithParamInterface<std::string> {};
 
 TEST_P(Refuted, IsRefutedAndShown) {
-  const std::string path = folder() + GetParam() + ".rta";
+  const std::string path = refuted_folder() + GetParam() + ".rta";
   is_refuted_and_shown(path, expected_of(read(path)));
 }
 
@@ -90,9 +85,9 @@ TEST_P(Refuted, IsRefutedAndShown) {
 class RefutedOfTwo : public Shown, public ::testing::WithParamInterface<std::string> {};
 
 TEST_P(RefutedOfTwo, IsRefutedAndShown) {
-  const std::string text = read(folder() + GetParam() + ".rta");
+  const std::string text = read(refuted_folder() + GetParam() + ".rta");
   for (const char* shared : {"parts.rta", "space_parts.rta"})
-    write(shared, read(folder() + shared));
+    write(shared, read(refuted_folder() + shared));
   const std::string of_two = std::regex_replace(text, of_one(), "\nfleet $1, another : $2;");
   ASSERT_NE(of_two, text);
   write("two.rta", of_two);
@@ -274,7 +269,7 @@ TEST_F(InFolder, ASimulatorThatFailsIsAnInternalError) {
   write("sim.sh", "#!/bin/sh\nkill -BUS $$\n");
   fs::permissions("sim.sh", fs::perms::owner_all);
   ::setenv("RTAC_SIM", fs::absolute("sim.sh").c_str(), 1);
-  const Outcome o = rtac({"verify", folder() + "strays.rta"});
+  const Outcome o = rtac({"verify", refuted_folder() + "strays.rta"});
   ::unsetenv("RTAC_SIM");
   EXPECT_EQ(o.status, exit_internal) << o.out << o.err;
   EXPECT_NE(o.out.find("not shown: the simulator has failed"), std::string::npos) << o.out;
@@ -428,21 +423,11 @@ decision fly for Rover { advanced drive; period 50 ms; priority walls > apart; }
   }
 }
 
-std::vector<std::string> names() {
-  const std::set<std::string> shared = {"battery", "parts", "space_parts"};
-  std::vector<std::string> all;
-  for (const auto& entry : fs::directory_iterator(folder())) {
-    const std::string name = entry.path().stem().string();
-    if (shared.count(name) == 0) all.push_back(name);
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
 // Of one robot, which needs no place of its own.
 std::vector<std::string> names_of_one() {
   std::vector<std::string> all;
-  for (const std::string& name : names()) {
-    const std::string text = read(folder() + name + ".rta");
+  for (const std::string& name : refuted_names()) {
+    const std::string text = read(refuted_folder() + name + ".rta");
     const bool sites = text.find("\nsite ") != std::string::npos;
     if (!sites && std::regex_search(text, of_one())) all.push_back(name);
   }
@@ -450,7 +435,7 @@ std::vector<std::string> names_of_one() {
 }
 INSTANTIATE_TEST_SUITE_P(Specs, RefutedOfTwo, ::testing::ValuesIn(names_of_one()),
                          [](const auto& spec) { return spec.param; });
-INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(refuted_names()),
                          [](const auto& spec) { return spec.param; });
 
 // Where robots wait for each other, and none of the runs that begin there shows that they do so for
@@ -472,7 +457,7 @@ TEST_P(Parted, NoRunShowsThatTheyWaitForEver) {
 }
 
 TEST(RefutedSpecs, AreTwentyOrMore) {
-  EXPECT_GE(names().size(), 20u);
+  EXPECT_GE(refuted_names().size(), 20u);
 }
 
 // No run has to show that no way leads out of the zone that it is to stay in.

@@ -1,6 +1,7 @@
 // `rtac verify` of a specification in a folder of its own.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -41,6 +42,22 @@ class Verify : public InFolder {
   }
 };
 using Statuses = std::vector<std::string>;
+
+// Specifications that are refuted, by name, each a file in there whose first line says what is; the
+// other files are what they share.
+inline const std::string& refuted_folder() {
+  static const std::string path = std::string(RTAC_SOURCE_DIR) + "/tests/compiler/verify/refuted/";
+  return path;
+}
+inline std::vector<std::string> refuted_names() {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(refuted_folder())) {
+    if (read(entry.path()).rfind("// refuted: ", 0) != 0) continue;
+    all.push_back(entry.path().stem().string());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 // A point mass, alone, that nobody pushes.
 inline const std::string a_rover = R"(robot Rover {
