@@ -159,9 +159,9 @@ class Recoveries {
     d.notes.push_back({std::nullopt, from_rest_text(spec_[controller_.kind], from_rest_mmps)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const bool received = ir::asks_for_received(monitor_.property);
-    const std::string leads =
-        received ? ""
-                 : "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`, or ";
+    const std::string leads = received ? ""
+                                       : "`retreat within Z speed " + speed_to_name() +
+                                             "`, Z being where it may be faster, or ";
     // as fast as it may ever be no limit says anything
     const std::string limits =
         from_rest_mmps < decision_.motions.front().speed_mmps

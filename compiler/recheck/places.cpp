@@ -214,7 +214,8 @@ Found Claims::seen(const Values& v) {
   return lies_clear(*zone, v, *gap);
 }
 
-// Whose property only says how high it may be, and leaves that much room where the landing ends.
+// Whose property only says how high it may be, and leaves that much room where the landing ends,
+// whatever inputs ask for.
 Found Claims::landing(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
@@ -229,8 +230,7 @@ Found Claims::landing(const Values& v) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   const bool high = !keeps_heights(*m->always, true, milli(*end), milli(*gap));
-  bool elsewhere = m->return_when || !all_zones(*m->always).empty() ||
-                   judges_robots(spec_, *d, *m->always) || !spoken_of(spec_, *m->always).empty();
+  bool elsewhere = !all_zones(*m->always).empty() || judges_robots(spec_, *d, *m->always);
   sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
     const auto* const signal = std::get_if<sema::SignalRef>(&e.node);
     elsewhere = elsewhere || std::holds_alternative<sema::AgentDistance>(e.node) ||

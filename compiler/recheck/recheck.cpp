@@ -501,7 +501,10 @@ class Check {
       return fail(whom(d, e) + ": of where `" + spec_[*m.recover].name +
                   "` leads nothing is known");
     }
-    if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) return;
+    if (has(e, "landing", {{"decision", d.name}, {"monitor", m.name}})) {
+      if (lets_go(spec_, d, claims_, m, 0)) return;
+      return fail(whom(d, e) + ": its `return when` may not hold where it has landed");
+    }
     if (has(e, "parting", {{"decision", d.name}, {"monitor", m.name}})) {
       need(d, e, "lemma", {{"name", "return_reached"}}, false);
       if (lets_go(spec_, d, claims_, m, 0)) return;

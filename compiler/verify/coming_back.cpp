@@ -215,7 +215,7 @@ Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
     most_mm = std::min(most_mm.value_or(most->most), most->most);
   });
   const bool lowers = analysis::asks_of(m.property, s.decision.facts.params).only_lower;
-  if (!lowers || !most_mm || m.return_when || end_mm + gap_mm > *most_mm) {
+  if (!lowers || !most_mm || end_mm + gap_mm > *most_mm) {
     o.status = Status::unknown;
     o.method = "no proof";
     o.because = "nothing shows that control is given back where " + quoted(m.recovery.name) +

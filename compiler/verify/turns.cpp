@@ -436,7 +436,9 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   o.kind = Kind::switching;
   o.method = "model checker";
   if (!check) {
-    o.because = "not asked, while the specification has errors";
+    o.because =
+        "not asked, while the specification has errors: whether recoveries take turns with what is "
+        "offered for them is told when it is written";
     return o;
   }
   const protocol::Subject subject = protocol_subject(s.decision);

@@ -200,12 +200,33 @@ TEST_F(Forged, ALandingGivesBackAsFarAsHeightsGo) {
 monitor roof for r : Quad { "R1" always r.position.z <= 10 m; recover down; }
 decision fly for Quad { advanced policy; period 50 ms; priority roof; }
 )";
-  for (const auto& [from, to] :
-       {std::pair("recover down;", "recover down; return when r.position.z >= 5 m;"),
-        std::pair("z <= 10 m", "z <= 10 m and r.speed <= 1 m/s")}) {
-    prove(page);
-    expect_noticed_in("spec.rta", from, to, "the property asks for more than a height");
-  }
+  prove(page);
+  expect_noticed_in("spec.rta", "recover down;", "recover down; return when r.position.z >= 5 m;",
+                    "its `return when` may not hold where it has landed");
+  prove(page);
+  expect_noticed_in("spec.rta", "z <= 10 m", "z <= 10 m and r.speed <= 1 m/s",
+                    "the property asks for more than a height");
+}
+
+// Where it ends every limit of height is kept, whatever the wind is.
+TEST_F(Forged, ALandingGivesBackWhenInputsLetIt) {
+  const std::string page = "spec wind;\n" +
+                           edited(a_quad, "fleet q",
+                                  "input wind : real [m/s] in 0 m/s .. 30 m/s error 1 m/s max_age "
+                                  "2 s;\nfleet q") +
+                           R"(controller down : safe for Quad = land to 5 m speed 0.8 m/s;
+monitor storm for r : Quad {
+  "R1: low in a strong wind"
+  always wind >= 12 m/s implies r.position.z <= 15 m;
+  recover down;
+  return when wind <= 10 m/s;
+}
+decision fly for Quad { advanced policy; period 50 ms; priority storm; }
+)";
+  prove(page);
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  expect_noticed_in("spec.rta", "implies r.position.z", "iff r.position.z",
+                    "the landing ends too high, or too low");
 }
 
 }  // namespace
