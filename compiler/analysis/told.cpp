@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr int boxes_most = 4'000;  // of one with n inputs the (n + 1)th part
 // Beyond what an input without a range may be, in SI units.
 const Rational endless = 1'000'000'000;
+const Rational age_step(1, 1'000'000);  // s: stamps are whole microseconds
 
 enum class Truth3 { no, open, yes };
 Truth3 negated(Truth3 t) {
@@ -37,48 +39,190 @@ bool is_of_its_values(sema::AggregateOp op) {
          op == sema::AggregateOp::mean;
 }
 
-// What is told: a component of an input, or a parameter.
+// What is told: a component of an input, how old it is, or how old is what the robot senses; or a
+// parameter.
 struct Name {
-  bool is_param = false;
+  enum class Of { input, age, sensed, param } of = Of::input;
   std::uint32_t index = 0, component = 0;
   auto operator<=>(const Name&) const = default;
 };
+Name age_of(sema::InputId id) {
+  return {Name::Of::age, static_cast<std::uint32_t>(id), 0};
+}
+Name age_of(sema::Sensed signal) {
+  return {Name::Of::sensed, static_cast<std::uint32_t>(signal), 0};
+}
+Name param_of(sema::ParamId id) {
+  return {Name::Of::param, static_cast<std::uint32_t>(id), 0};
+}
 struct Variable {
   Span span;
   Rational error, step;  // of what is measured; 0: any value
   bool is_whole = false;
+  // Of an age: what is older counts no more; none: for ever, or nobody says how long.
+  std::optional<Rational> counts = std::nullopt;
 };
 using Variables = std::map<Name, Variable>;
 using Box = std::map<Name, Span>;
+
+template <class Node, class... Of>
+constexpr bool is_one_of = (std::is_same_v<Node, Of> || ...);
+
+bool is_sensed(const sema::Input& input) {
+  return input.robot || input.agent;
+}
+// Whether a part of it is what robots sense, of themselves or of agents.
+bool speaks_of_sensed(const sema::Spec& spec, const sema::Expr& e) {
+  bool found = sema::speaks_of_robot(e);
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto look = [&](sema::InputId id) { found = found || is_sensed(spec[id]); };
+    if (const auto* v = std::get_if<sema::InputRef>(&part.node)) look(v->input);
+    if (const auto* v = std::get_if<sema::IsValue>(&part.node)) look(v->input);
+    if (const auto* v = std::get_if<sema::SameValue>(&part.node)) {
+      look(v->left.input);
+      look(v->right.input);
+    }
+  });
+  return found;
+}
+// What of itself a robot has to have sensed to know it.
+std::optional<sema::Sensed> sensed_for(const sema::Expr& e) {
+  if (const auto* v = std::get_if<sema::SignalRef>(&e.node)) {
+    if (v->subject == sema::Subject::other) return std::nullopt;
+    if (v->signal == sema::Signal::speed) return sema::Sensed::velocity;
+    return v->signal == sema::Signal::battery ? sema::Sensed::battery : sema::Sensed::position;
+  }
+  const bool by_place = std::holds_alternative<sema::Clearance>(e.node) ||
+                        std::holds_alternative<sema::InsideZone>(e.node) ||
+                        std::holds_alternative<sema::Distance>(e.node) ||
+                        std::holds_alternative<sema::AgentDistance>(e.node) ||
+                        std::holds_alternative<sema::EnergyTo>(e.node);
+  return by_place ? std::optional(sema::Sensed::position) : std::nullopt;
+}
 
 // A property in a box.
 class Reader {
  public:
   // `stays`: inputs are what they are for ever, so that the past is as now; else they have been
   // anything in `ever`.
-  Reader(const sema::Spec& spec, const Box& box, const Box& ever, bool stays)
-      : spec_(spec), box_(box), ever_(ever), stays_(stays) {}
+  Reader(const sema::Spec& spec, const Variables& variables, const Box& box, const Box& ever,
+         bool stays)
+      : spec_(spec), variables_(variables), box_(box), ever_(ever), stays_(stays) {}
 
-  // `suits`: what anything is that inputs do not decide.
+  // `suits`: what anything is that robots sense. Of what nobody knows it is open.
   [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
-    if (const auto* v = std::get_if<sema::Truth>(&e.node)) return from(v->value);
-    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, suits);
-    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, suits);
-    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return told(*v, suits);
-    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) return is_value(*v, suits);
-    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) return same(*v, suits);
-    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) return held(*v->operand, suits);
-    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
-      return past(*v->operand, suits, false, false);
-    }
-    if (const auto* v = std::get_if<sema::Past>(&e.node)) {
-      return past(*v->operand, suits, sgn(v->interval.from.value) == 0,
-                  v->op == sema::PastOp::historically);
-    }
-    return from(suits);
+    return std::visit([&](const auto& node) { return says(node, e, suits); }, e.node);
   }
 
  private:
+  static Truth3 says(const sema::Truth& v, const sema::Expr&, bool) { return from(v.value); }
+  [[nodiscard]] Truth3 says(const sema::Logic& v, const sema::Expr&, bool suits) const {
+    return logic(v, suits);
+  }
+  [[nodiscard]] Truth3 says(const sema::HeldFor& v, const sema::Expr&, bool suits) const {
+    return held(*v.operand, suits);
+  }
+  [[nodiscard]] Truth3 says(const sema::Previously& v, const sema::Expr&, bool suits) const {
+    return past(*v.operand, suits, false, false);
+  }
+  [[nodiscard]] Truth3 says(const sema::Past& v, const sema::Expr&, bool suits) const {
+    return past(*v.operand, suits, sgn(v.interval.from.value) == 0,
+                v.op == sema::PastOp::historically);
+  }
+  [[nodiscard]] Truth3 says(const sema::Since& v, const sema::Expr&, bool suits) const {
+    const bool with_now = sgn(v.interval.from.value) == 0;
+    const Truth3 left = truth(*v.left, suits), right = truth(*v.right, suits);
+    return since(left, right, ever(*v.right, suits, right), with_now);
+  }
+  // not ((not φ) since (ψ and not φ)), which begins in the past.
+  [[nodiscard]] Truth3 says(const sema::WithinOf& v, const sema::Expr&, bool suits) const {
+    const Truth3 is = truth(*v.operand, suits), asked = truth(*v.trigger, !suits);
+    const Truth3 ever_missed =
+        both(ever(*v.trigger, !suits, asked), negated(ever(*v.operand, suits, is)));
+    return negated(since(negated(is), both(asked, negated(is)), ever_missed, false));
+  }
+  // Of no others it may be so whatever its body says.
+  [[nodiscard]] Truth3 says(const sema::ForOthers& v, const sema::Expr&, bool suits) const {
+    return truth(*v.body, suits) == from(suits) ? from(suits) : Truth3::open;
+  }
+  [[nodiscard]] Truth3 says(const sema::InputRef& v, const sema::Expr& e, bool suits) const {
+    const Number n = of(v);
+    if (!n) return unknown(e, suits);
+    if (is_old(age_of(v.input))) return from(!suits);
+    return n->lo == n->hi ? from(sgn(n->lo) != 0) : Truth3::open;
+  }
+  [[nodiscard]] Truth3 says(const sema::IsValue& v, const sema::Expr& e, bool suits) const {
+    const Number n = of({v.input, v.component});
+    if (!n) return unknown(e, suits);
+    if (is_old(age_of(v.input))) return from(!suits);
+    const Rational value = static_cast<unsigned long>(v.value);
+    if (n->lo == n->hi) return from(n->lo == value);
+    return value < n->lo || value > n->hi ? Truth3::no : Truth3::open;
+  }
+  [[nodiscard]] Truth3 says(const sema::SameValue& v, const sema::Expr& e, bool suits) const {
+    const Number a = of(v.left), b = of(v.right);
+    if (!a || !b) return unknown(e, suits);
+    if (is_old(age_of(v.left.input)) || is_old(age_of(v.right.input))) return from(!suits);
+    if (a->hi < b->lo || b->hi < a->lo) return Truth3::no;
+    return a->lo == a->hi && b->lo == b->hi ? Truth3::yes : Truth3::open;
+  }
+  [[nodiscard]] Truth3 says(const sema::Compare& v, const sema::Expr& e, bool suits) const {
+    const Number a = number(*v.left), b = number(*v.right);
+    // a side of which robots say nothing is for inputs to say
+    if (!a && !speaks_of_sensed(spec_, *v.left)) return Truth3::open;
+    if (!b && !speaks_of_sensed(spec_, *v.right)) return Truth3::open;
+    if (!a || !b) return unknown(e, suits);
+    if (is_old(*v.left) || is_old(*v.right)) return from(!suits);
+    const bool strictly = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
+    const bool is_least = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
+    return is_least ? ordered(*a, *b, strictly) : ordered(*b, *a, strictly);
+  }
+  // What time it is suits.
+  static Truth3 says(const sema::ZoneOpen&, const sema::Expr&, bool suits) { return from(suits); }
+  template <class Node>
+  [[nodiscard]] Truth3 says(const Node&, const sema::Expr& e, bool suits) const {
+    // Every condition is named above but these, of places; the others are quantities.
+    static_assert(
+        is_one_of<Node, sema::InsideZone, sema::PlanInside, sema::PointInside, sema::TrailInside,
+                  sema::PathGiven> ||
+        is_one_of<Node, sema::Constant, sema::SignalRef, sema::Clearance, sema::Distance,
+                  sema::EnergyTo, sema::Arithmetic, sema::CountOthers, sema::OverMembers,
+                  sema::AgeOf, sema::SensedAge, sema::ParamRef, sema::PointClearance,
+                  sema::WhileOpen, sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
+                  sema::Math, sema::Choice, sema::Aggregate, sema::AgentDistance>);
+    return unknown(e, suits);
+  }
+
+  // What robots sense is as it suits, unless that is too old to count; of anything else nobody
+  // knows, nor of how many robots it is so where inputs have a say.
+  [[nodiscard]] Truth3 unknown(const sema::Expr& e, bool suits) const {
+    if (!speaks_of_sensed(spec_, e)) return Truth3::open;
+    bool is_told = false, old = false;
+    sema::for_each_expr(e, [&](const sema::Expr& part) {
+      const auto* const count = std::get_if<sema::CountOthers>(&part.node);
+      is_told = is_told || (count != nullptr && (!inputs_in(spec_, *count->body).empty() ||
+                                                 sema::speaks_of<sema::SensedAge>(*count->body)));
+      const auto signal = sensed_for(part);
+      old = old || (signal && is_old(age_of(*signal)));
+    });
+    if (is_told) return Truth3::open;
+    return from(old ? !suits : suits);
+  }
+  // Wherever in the box, older than what counts.
+  [[nodiscard]] bool is_old(const Name& age) const {
+    const auto at = box_.find(age);
+    if (at == box_.end()) return false;
+    const auto& counts = variables_.at(age).counts;
+    return counts && at->second.lo > *counts;
+  }
+  // A number that nobody knows then, within any bounds.
+  [[nodiscard]] bool is_old(const sema::Expr& e) const {
+    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return is_old(age_of(v->input));
+    const auto* const sum = std::get_if<sema::Arithmetic>(&e.node);
+    return sum != nullptr && sum->op != sema::ArithmeticOp::multiply &&
+           sum->op != sema::ArithmeticOp::divide &&
+           std::ranges::any_of(sum->operands, [&](const auto& each) { return is_old(*each); });
+  }
   [[nodiscard]] Truth3 all(const sema::Logic& v, bool suits, bool conjunction) const {
     const Truth3 end = conjunction ? Truth3::no : Truth3::yes;
     Truth3 found = negated(end);
@@ -109,90 +253,97 @@ class Reader {
     }
     return Truth3::open;
   }
+  // Two sides that are to be equal, or to differ: either way round.
   [[nodiscard]] Truth3 same_truth(const sema::Logic& v, bool suits) const {
-    Truth3 sides[2];
-    for (int k = 0; k < 2; ++k) {
-      const sema::Expr& side = *v.operands[static_cast<std::size_t>(k)];
-      sides[k] = truth(side, true);
-      if (sides[k] != truth(side, false)) return from(suits);
-    }
-    if (sides[0] == Truth3::open || sides[1] == Truth3::open) return Truth3::open;
-    return from((sides[0] == sides[1]) == (v.op == sema::LogicOp::iff));
+    const auto can_be = [&](std::size_t k, bool value) {
+      const Truth3 t = truth(*v.operands[k], value);
+      return value ? t : negated(t);
+    };
+    const bool same = (v.op == sema::LogicOp::iff) == suits;
+    const Truth3 one = both(can_be(0, true), can_be(1, same));
+    const Truth3 other = both(can_be(0, false), can_be(1, !same));
+    const Truth3 can = negated(both(negated(one), negated(other)));
+    return suits ? can : negated(can);
+  }
+  static Truth3 both(Truth3 a, Truth3 b) {
+    if (a == Truth3::no || b == Truth3::no) return Truth3::no;
+    return a == Truth3::yes && b == Truth3::yes ? Truth3::yes : Truth3::open;
   }
   // It is so now, or else it has not been so for a while; at first it is not.
   [[nodiscard]] Truth3 held(const sema::Expr& e, bool suits) const {
-    if (!suits) return Truth3::no;
     const Truth3 now = truth(e, suits);
-    return stays_ || now == Truth3::no ? now : Truth3::open;
+    if (stays_) return now;
+    if (!suits) return Truth3::no;
+    return now == Truth3::no ? now : Truth3::open;
   }
   // All of what has been so, or some of it, now included or not; at first there is nothing of it.
   [[nodiscard]] Truth3 past(const sema::Expr& e, bool suits, bool with_now, bool all) const {
     const Truth3 now = truth(e, suits);
     if (stays_) return now;
     const Truth3 end = all ? Truth3::yes : Truth3::no;  // what nothing is, too
-    if (Reader(spec_, ever_, ever_, false).truth(e, suits) == end) return end;
+    if (ever(e, suits, now) == end) return end;
     return with_now && now == negated(end) ? now : Truth3::open;
   }
-
-  [[nodiscard]] Truth3 compare(const sema::Compare& v, bool suits) const {
-    const Number a = number(*v.left), b = number(*v.right);
-    if (!a || !b) return from(suits);
-    const bool strictly = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
-    const bool is_least = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
-    const Truth3 found = is_least ? ordered(*a, *b, strictly) : ordered(*b, *a, strictly);
-    // how old it is, within what is declared, is as it suits
-    return found == Truth3::open && (is_age(*v.left) || is_age(*v.right)) ? from(suits) : found;
+  // φ since ψ: ψ now will do if the window begins now, and else φ has to be so now. Of what stays,
+  // ψ has been so wherever the window begins.
+  [[nodiscard]] Truth3 since(Truth3 left, Truth3 right, Truth3 ever_right, bool with_now) const {
+    if (stays_) return with_now ? right : both(left, right);
+    if (with_now && right == Truth3::yes) return right;
+    if (ever_right == Truth3::no) return ever_right;
+    const bool not_now = !with_now || right == Truth3::no;
+    return not_now && left == Truth3::no ? left : Truth3::open;
   }
-  static bool is_age(const sema::Expr& e) { return std::holds_alternative<sema::AgeOf>(e.node); }
+  [[nodiscard]] Truth3 ever(const sema::Expr& e, bool suits, Truth3 now) const {
+    return &box_ == &ever_ ? now : Reader(spec_, variables_, ever_, ever_, false).truth(e, suits);
+  }
+
   static Truth3 ordered(const Span& a, const Span& b, bool strictly) {
     if (strictly ? a.hi < b.lo : a.hi <= b.lo) return Truth3::yes;
     return (strictly ? a.lo >= b.hi : a.lo > b.hi) ? Truth3::no : Truth3::open;
   }
-  [[nodiscard]] Number of(const sema::InputRef& v) const {
-    const auto at = box_.find({false, static_cast<std::uint32_t>(v.input), v.component});
+  [[nodiscard]] Number of(const Name& name) const {
+    const auto at = box_.find(name);
     return at == box_.end() ? Number() : at->second;
   }
-  [[nodiscard]] Truth3 told(const sema::InputRef& v, bool suits) const {
-    const Number n = of(v);
-    if (!n) return from(suits);
-    return n->lo == n->hi ? from(sgn(n->lo) != 0) : Truth3::open;
-  }
-  [[nodiscard]] Truth3 is_value(const sema::IsValue& v, bool suits) const {
-    const Number n = of({v.input, v.component});
-    if (!n) return from(suits);
-    const Rational value = static_cast<unsigned long>(v.value);
-    if (n->lo == n->hi) return from(n->lo == value);
-    return value < n->lo || value > n->hi ? Truth3::no : Truth3::open;
-  }
-  [[nodiscard]] Truth3 same(const sema::SameValue& v, bool suits) const {
-    const Number a = of(v.left), b = of(v.right);
-    if (!a || !b) return from(suits);
-    if (a->hi < b->lo || b->hi < a->lo) return Truth3::no;
-    return a->lo == a->hi && b->lo == b->hi ? Truth3::yes : Truth3::open;
+  [[nodiscard]] Number of(const sema::InputRef& v) const {
+    return of({Name::Of::input, static_cast<std::uint32_t>(v.input), v.component});
   }
 
   [[nodiscard]] Number number(const sema::Expr& e) const {
-    if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Span{v->value, v->value};
-    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) return of(*v);
-    if (const auto* v = std::get_if<sema::AgeOf>(&e.node)) {
-      const auto& most = spec_[v->input].max_age;
-      return most ? Number(Span{0, most->value}) : std::nullopt;
-    }
-    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
-      return box_.at({true, static_cast<std::uint32_t>(v->param), 0});
-    }
-    if (const auto* v = std::get_if<sema::Arithmetic>(&e.node)) return arithmetic(*v);
-    if (const auto* v = std::get_if<sema::Math>(&e.node)) return math(*v);
-    if (const auto* v = std::get_if<sema::Aggregate>(&e.node)) {
-      return stays_ && is_of_its_values(v->op) ? number(*v->operand) : std::nullopt;
-    }
-    if (const auto* v = std::get_if<sema::Choice>(&e.node)) {
-      const Number a = number(*v->then_value), b = number(*v->else_value);
-      const Truth3 when = truth(*v->condition, true);
-      if (when != truth(*v->condition, false) || !a || !b) return std::nullopt;
-      if (when != Truth3::open) return when == Truth3::yes ? a : b;
-      return hull({a->lo, a->hi, b->lo, b->hi});
-    }
+    return std::visit([&](const auto& node) { return value(node); }, e.node);
+  }
+  static Number value(const sema::Constant& v) { return Span{v.value, v.value}; }
+  [[nodiscard]] Number value(const sema::InputRef& v) const { return of(v); }
+  [[nodiscard]] Number value(const sema::AgeOf& v) const { return of(age_of(v.input)); }
+  [[nodiscard]] Number value(const sema::SensedAge& v) const { return of(age_of(v.signal)); }
+  [[nodiscard]] Number value(const sema::ParamRef& v) const { return of(param_of(v.param)); }
+  [[nodiscard]] Number value(const sema::Arithmetic& v) const { return arithmetic(v); }
+  [[nodiscard]] Number value(const sema::Math& v) const { return math(v); }
+  [[nodiscard]] Number value(const sema::Aggregate& v) const {
+    if (!is_of_its_values(v.op)) return std::nullopt;
+    const Reader before(spec_, variables_, ever_, ever_, false);
+    return stays_ ? number(*v.operand) : before.number(*v.operand);
+  }
+  [[nodiscard]] Number value(const sema::Choice& v) const {
+    const Number a = number(*v.then_value), b = number(*v.else_value);
+    const Truth3 when = truth(*v.condition, true);
+    if (when != truth(*v.condition, false) || !a || !b) return std::nullopt;
+    if (when != Truth3::open) return when == Truth3::yes ? a : b;
+    return hull({a->lo, a->hi, b->lo, b->hi});
+  }
+  template <class Node>
+  static Number value(const Node&) {
+    // Every quantity is named above but these, of places and of what robots sense; the others are
+    // conditions.
+    static_assert(
+        is_one_of<Node, sema::SignalRef, sema::Clearance, sema::Distance, sema::EnergyTo,
+                  sema::CountOthers, sema::OverMembers, sema::PointClearance, sema::WhileOpen,
+                  sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
+                  sema::AgentDistance> ||
+        is_one_of<Node, sema::Truth, sema::InsideZone, sema::PlanInside, sema::Compare, sema::Logic,
+                  sema::HeldFor, sema::ForOthers, sema::PointInside, sema::ZoneOpen,
+                  sema::TrailInside, sema::PathGiven, sema::IsValue, sema::SameValue,
+                  sema::Previously, sema::Past, sema::Since, sema::WithinOf>);
     return std::nullopt;
   }
   [[nodiscard]] Number arithmetic(const sema::Arithmetic& v) const {
@@ -242,6 +393,7 @@ class Reader {
   }
 
   const sema::Spec& spec_;
+  const Variables& variables_;
   const Box& box_;
   const Box& ever_;
   bool stays_;
@@ -249,8 +401,21 @@ class Reader {
 
 struct Said {
   const sema::Expr* property;
-  bool suits;  // what anything is that inputs do not decide
+  bool suits;             // what anything is that robots sense
+  bool whatever = false;  // however old that is
 };
+
+// The kind of robot of whose monitor it is a part.
+const sema::RobotKind* kind_of(const sema::Spec& spec, const sema::Expr& e) {
+  for (const sema::Monitor& m : spec.monitors) {
+    bool found = false;
+    const auto look = [&](const sema::Expr& part) { found = found || &part == &e; };
+    sema::for_each_expr(*m.always, look);
+    if (m.return_when) sema::for_each_expr(*m.return_when, look);
+    if (found) return &spec[m.kind];
+  }
+  return nullptr;
+}
 
 class Search {
  public:
@@ -262,7 +427,7 @@ class Search {
   Told run() {
     if (variables_.empty()) {
       const Box none;
-      const bool is = truth(Reader(spec_, none, none, true)) == from(value_);
+      const bool is = truth(none, none, true) == from(value_);
       return {is ? CanBeTold::yes : CanBeTold::open, {}};
     }
     for (const auto& [name, variable] : variables_) {
@@ -304,23 +469,44 @@ class Search {
     }
     looks_back_ = looks_back_ || std::holds_alternative<sema::HeldFor>(e.node) ||
                   std::holds_alternative<sema::Previously>(e.node) ||
-                  std::holds_alternative<sema::Past>(e.node);
+                  std::holds_alternative<sema::Past>(e.node) ||
+                  std::holds_alternative<sema::Since>(e.node) ||
+                  std::holds_alternative<sema::WithinOf>(e.node) ||
+                  std::holds_alternative<sema::Aggregate>(e.node);
+    if (const auto* v = std::get_if<sema::AgeOf>(&e.node); v && !is_sensed(spec_[v->input])) {
+      const auto& most = spec_[v->input].max_age;
+      add_age(age_of(v->input), most ? std::optional(most->value) : std::nullopt);
+    }
+    if (const auto* v = std::get_if<sema::SensedAge>(&e.node)) add_age(e, v->signal);
     if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
       const sema::Param& p = spec_[v->param];
-      variables_[{true, static_cast<std::uint32_t>(v->param), 0}] = {
-          {p.least.value, p.most.value}, 0, p.resolution, false};
+      variables_[param_of(v->param)] = {
+          {p.least.value, p.most.value}, 0, p.resolution, false, std::nullopt};
     }
     sema::for_each_operand(e, [&](const auto& operand) { collect(*operand); });
   }
+  // Of the newest sample, also of one that is too old to count.
+  void add_age(const Name& name, const std::optional<Rational>& counts) {
+    variables_[name] = {{0, endless}, 0, age_step, true, counts};
+  }
+  void add_age(const sema::Expr& e, sema::Sensed signal) {
+    const sema::RobotKind* const kind = kind_of(spec_, e);
+    if (kind == nullptr) return;
+    const auto& sense = signal == sema::Sensed::position   ? kind->position
+                        : signal == sema::Sensed::velocity ? kind->velocity
+                                                           : kind->battery;
+    if (sense) add_age(age_of(signal), sense->max_age.value);
+  }
   void add(sema::InputId id, std::uint32_t component) {
     const sema::Input& input = spec_[id];
-    if (input.robot || input.agent) return;  // sensed: as it suits
-    const Name name{false, static_cast<std::uint32_t>(id), component};
+    if (is_sensed(input)) return;  // as it suits
+    const Name name{Name::Of::input, static_cast<std::uint32_t>(id), component};
     if (input.type == sema::InputType::boolean) {
-      variables_[name] = {{0, 1}, 0, 1, true};
+      variables_[name] = {{0, 1}, 0, 1, true, std::nullopt};
     } else if (input.type == sema::InputType::enumeration) {
       const auto values = spec_[*input.enumeration].values.size();
-      variables_[name] = {{0, Rational(static_cast<unsigned long>(values)) - 1}, 0, 1, true};
+      const Rational last = Rational(static_cast<unsigned long>(values)) - 1;
+      variables_[name] = {{0, last}, 0, 1, true, std::nullopt};
     } else if (input.type == sema::InputType::integer || input.type == sema::InputType::real) {
       const sema::Measurement& m = input.measurement(component);
       const bool whole = input.type == sema::InputType::integer;
@@ -328,7 +514,8 @@ class Search {
           {m.least ? m.least->value : Rational(-endless), m.most ? m.most->value : endless},
           m.error ? m.error->value : Rational(0),
           whole ? Rational(1) : m.resolution,
-          whole};
+          whole,
+          std::nullopt};
     }
   }
 
@@ -336,9 +523,7 @@ class Search {
   // every error, so with the largest ones, too.
   [[nodiscard]] bool is_out(const Box& box, bool stays) const {
     const Truth3 other = from(!value_);
-    const auto reads = [&](const Box& of) {
-      return truth(Reader(spec_, of, stays ? of : ever_, stays));
-    };
+    const auto reads = [&](const Box& of) { return truth(of, stays ? of : ever_, stays); };
     if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
     for (const auto& [name, variable] : variables_) {
@@ -356,23 +541,42 @@ class Search {
     Box seen = point;
     for (auto& [name, span] : seen) {
       const Variable& variable = variables_.at(name);
-      if (name.is_param) span = variable.span;
-      if (how_ == ToldHow::exactly || name.is_param) continue;
+      const bool is_param = name.of == Name::Of::param;
+      if (is_param) span = variable.span;
+      if (!is_new_enough(name, span.lo)) return false;
+      if (how_ == ToldHow::exactly || is_param) continue;
       // the kernel rounds what it computes to the grid
       const Rational by = variable.is_whole ? variable.error : variable.error + variable.step;
       span = {Rational(span.lo - by), Rational(span.hi + by)};
     }
-    return truth(Reader(spec_, seen, seen, true)) == from(value_);
+    return truth(seen, seen, true) == from(value_);
+  }
+  // No older than is declared; what has to come every tick counts for sure when it is new.
+  [[nodiscard]] bool is_new_enough(const Name& name, const Rational& age) const {
+    if (name.of != Name::Of::age && name.of != Name::Of::sensed) return true;
+    const auto& counts = variables_.at(name).counts;
+    if (counts) return age <= *counts;
+    const bool is_read = std::ranges::any_of(variables_, [&](const auto& each) {
+      return each.first.of == Name::Of::input && each.first.index == name.index;
+    });
+    return spec_[sema::InputId(name.index)].held || !is_read || sgn(age) == 0;
   }
   // Of several, that each of them is as it is asked to be.
-  [[nodiscard]] Truth3 truth(const Reader& reader) const {
+  [[nodiscard]] Truth3 truth(const Box& box, const Box& ever, bool stays) const {
     Truth3 found = from(value_);
     for (const Said& each : all_) {
+      const Box told = each.whatever ? without_sensed(box) : Box();
+      const Reader reader(spec_, variables_, each.whatever ? told : box, ever, stays);
       const Truth3 is = reader.truth(*each.property, each.suits);
       if (is == from(!value_)) return is;
       if (is == Truth3::open) found = is;
     }
     return found;
+  }
+  // Whose ages nobody knows then.
+  static Box without_sensed(Box box) {
+    std::erase_if(box, [](const auto& each) { return each.first.of == Name::Of::sensed; });
+    return box;
   }
   // On the grid, where it has one.
   [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
@@ -391,6 +595,12 @@ class Search {
     mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
     return Rational(whole) * variable.step;
   }
+  // Of an age first where it ceases to count, and then beside what counts.
+  static Rational length_beside(const Variable& variable, const Span& span) {
+    const auto& counts = variable.counts;
+    if (!counts || span.lo > *counts) return variable.span.hi - variable.span.lo;
+    return span.hi > *counts ? Rational((span.hi - span.lo) / 2) : *counts;
+  }
   // In two, across the side that is longest beside what it may be. false: it is one point.
   bool split(const Box& box, std::vector<Box>& to) const {
     const Name* longest = nullptr;
@@ -398,7 +608,7 @@ class Search {
     for (const auto& [name, span] : box) {
       const Variable& variable = variables_.at(name);
       if (span.hi - span.lo < variable.step || span.hi == span.lo) continue;
-      const Rational share = (span.hi - span.lo) / (variable.span.hi - variable.span.lo);
+      const Rational share = (span.hi - span.lo) / length_beside(variable, span);
       if (share > most) {
         most = share;
         longest = &name;
@@ -407,7 +617,10 @@ class Search {
     if (longest == nullptr) return false;
     const Variable& variable = variables_.at(*longest);
     const Span& span = box.at(*longest);
-    Rational middle = on_grid(variable, Rational((span.lo + span.hi) / 2));
+    const bool ceases =
+        variable.counts && span.lo <= *variable.counts && span.hi > *variable.counts;
+    Rational middle =
+        on_grid(variable, ceases ? *variable.counts : Rational((span.lo + span.hi) / 2));
     if (middle < span.lo) middle = span.lo;
     Rational next = middle + variable.step;  // nothing lies between two steps
     if (next > span.hi) next = span.hi;
@@ -418,10 +631,12 @@ class Search {
     to.push_back(std::move(low));
     return true;
   }
-  [[nodiscard]] static std::vector<ToldInput> inputs_of(const Box& point) {
+  [[nodiscard]] std::vector<ToldInput> inputs_of(const Box& point) const {
     std::vector<ToldInput> all;
     for (const auto& [name, span] : point) {
-      if (!name.is_param) all.push_back({sema::InputId(name.index), name.component, span.lo});
+      const sema::InputId id{name.index};
+      if (name.of == Name::Of::input) all.push_back({id, name.component, span.lo});
+      if (name.of == Name::Of::age) all.push_back({id, age_component(spec_[id]), span.lo});
     }
     return all;
   }
@@ -438,13 +653,13 @@ class Search {
 }  // namespace
 
 Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
-  return Search(spec, {{&property, value}}, value, how).run();
+  return Search(spec, {{&property, value, false}}, value, how).run();
 }
 Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
                   const std::vector<const sema::Expr*>& whatever_is_sensed) {
   std::vector<Said> asked;
-  for (const sema::Expr* each : all) asked.push_back({each, true});
-  for (const sema::Expr* each : whatever_is_sensed) asked.push_back({each, false});
+  for (const sema::Expr* each : all) asked.push_back({each, true, false});
+  for (const sema::Expr* each : whatever_is_sensed) asked.push_back({each, false, true});
   return Search(spec, std::move(asked), true, ToldHow::seen).run();
 }
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e) {
@@ -468,9 +683,13 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
   std::string all;
   for (const ToldInput& told : inputs) {
     const sema::Input& input = spec[told.input];
+    if (!all.empty()) all += ", ";
+    if (told.component == age_component(input)) {
+      all += "age(" + input.name + ") = " + to_decimal(told.value) + " s";
+      continue;
+    }
     const std::string& component = input.components[told.component];
     const std::string name = input.name + (component.empty() ? "" : "." + component);
-    if (!all.empty()) all += ", ";
     if (input.type == sema::InputType::boolean) {
       all += (sgn(told.value) == 0 ? "not " : "") + name;
     } else if (input.type == sema::InputType::enumeration) {
@@ -485,14 +704,23 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
 
 namespace {
 
+// Of what is said besides robots: inputs, and how old is what a robot senses.
+std::set<Name> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<Name> all;
+  for (const sema::InputId id : inputs_in(spec, e)) all.insert(age_of(id));
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    if (const auto* v = std::get_if<sema::SensedAge>(&part.node)) all.insert(age_of(v->signal));
+  });
+  return all;
+}
 bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
-                  sema::InputId input) {
+                  const Name& name) {
   int times = 0;
   for (const sema::Expr* each : all) {
     sema::for_each_expr(*each, [&](const sema::Expr& part) {
       bool has_operands = false;
       sema::for_each_operand(part, [&](const auto&) { has_operands = true; });
-      if (!has_operands && inputs_in(spec, part).contains(input)) ++times;
+      if (!has_operands && spoken_of(spec, part).contains(name)) ++times;
     });
   }
   return times <= 1;
@@ -503,7 +731,7 @@ bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& 
 bool is_choice(const sema::Spec& spec, const sema::Expr& e) {
   const auto* const logic = std::get_if<sema::Logic>(&e.node);
   return logic != nullptr && logic->op != sema::LogicOp::logical_and && sema::speaks_of_robot(e) &&
-         !inputs_in(spec, e).empty();
+         !spoken_of(spec, e).empty();
 }
 // What has to be true for `e` to be, where all of its operands have to be.
 bool asks_for_all(const sema::Expr& e) {
@@ -538,9 +766,8 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
   bool chooses = false;
   sema::for_each_expr(e,
                       [&](const sema::Expr& part) { chooses = chooses || is_choice(spec, part); });
-  const auto inputs = inputs_in(spec, e);
-  const bool is_torn = chooses && std::ranges::any_of(inputs, [&](sema::InputId input) {
-                         return !is_said_once(spec, all, input);
+  const bool is_torn = chooses && std::ranges::any_of(spoken_of(spec, e), [&](const Name& name) {
+                         return !is_said_once(spec, all, name);
                        });
   if (is_torn) torn.push_back(&e);
   return torn;
@@ -549,6 +776,8 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all) {
   std::set<sema::InputId> known;
   for (const sema::Expr* each : all) {
+    const bool ages = sema::speaks_of<sema::SensedAge>(*each);
+    if (ages || told_to_be(spec, *each, true, ToldHow::seen).can != CanBeTold::yes) return true;
     for (const sema::InputId id : inputs_in(spec, *each)) {
       if (!known.insert(id).second) return true;
     }

@@ -1,5 +1,6 @@
 // What inputs have to be for a property to hold, or to fail: searched in boxes of what each of them
-// may be, by interval arithmetic. What robots sense, and what no number decides, is as it suits.
+// may be, and of how old it may be, by interval arithmetic. What robots sense is as it suits; what
+// nobody knows is open.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,10 @@
 
 namespace rtac::analysis {
 
+// Behind its last component: how old it is, in s.
+inline std::uint32_t age_component(const sema::Input& input) {
+  return static_cast<std::uint32_t>(input.components.size());
+}
 // Of a truth 0 or 1, of a choice its number; else SI.
 struct ToldInput {
   sema::InputId input;
@@ -42,7 +47,8 @@ std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& e,
                                           const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always);
-// Whether two of these speak of one input.
+// Whether two of these speak of one input, or one of them of how old is what a robot senses, which
+// whatever else is sensed has to be as well; or of one nobody knows whether inputs make it true.
 bool share_inputs(const sema::Spec& spec, const std::vector<const sema::Expr*>& all);
 
 // "load = 20, not door", of the specification.

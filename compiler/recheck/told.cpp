@@ -1,6 +1,7 @@
 #include "compiler/recheck/told.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -15,96 +16,169 @@ struct Bounds {
 };
 using Known = std::optional<Bounds>;
 
+template <class Node, class... Of>
+constexpr bool is_one_of = (std::is_same_v<Node, Of> || ...);
+
+// What no claim tells.
+constexpr ToldInput untold{sema::InputId{~0U}, 0};
+
+// How old is what the robot senses, in s.
+using SensedAges = std::map<sema::Sensed, Rational>;
+
+std::uint32_t age_component(const sema::Input& input) {
+  return static_cast<std::uint32_t>(input.components.size());
+}
+bool is_sensed(const sema::Input& input) {
+  return input.robot || input.agent;
+}
+// Whether robots have a say in it, or what is seen of agents.
+bool senses(const sema::Spec& spec, const sema::Expr& e) {
+  bool found = sema::speaks_of_robot(e);
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto look = [&](sema::InputId id) { found = found || is_sensed(spec[id]); };
+    if (const auto* v = std::get_if<sema::InputRef>(&part.node)) look(v->input);
+    if (const auto* v = std::get_if<sema::IsValue>(&part.node)) look(v->input);
+    if (const auto* v = std::get_if<sema::SameValue>(&part.node)) {
+      look(v->left.input);
+      look(v->right.input);
+    }
+  });
+  return found;
+}
+
 class Reader {
  public:
-  // `anyhow`: what no input decides may be anything, and else is as it suits, but for `may_be`.
+  // `anyhow`: what robots sense may be anything, and else is as it suits, but for `may_be`.
   Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false,
-         MayBe may_be = {})
+         MayBe may_be = {}, SensedAges ages = {})
       : spec_(spec),
         inputs_(inputs),
         with_errors_(with_errors),
         anyhow_(anyhow),
-        may_be_(std::move(may_be)) {}
+        may_be_(std::move(may_be)),
+        ages_(std::move(ages)) {}
 
-  // Whether it can be so in spite of what suits.
-  [[nodiscard]] bool can_be(const sema::Expr& e, bool value, bool suits) const {
-    if (const auto* v = std::get_if<sema::Truth>(&e.node)) return v->value == value;
-    if (const auto* v = std::get_if<sema::Logic>(&e.node)) return logic(*v, value, suits);
-    if (const auto* v = std::get_if<sema::Compare>(&e.node)) return compare(*v, e, value);
-    if (const auto* v = std::get_if<sema::HeldFor>(&e.node)) {
-      // at first it is not
-      return anyhow_ || (suits && can_be(*v->operand, value, suits));
-    }
-    if (const auto* v = std::get_if<sema::Previously>(&e.node)) {
-      return can_be(*v->operand, value, suits);
-    }
-    if (const auto* v = std::get_if<sema::Past>(&e.node)) return can_be(*v->operand, value, suits);
-    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
-      const Known at = measured(v->input, v->component);
-      return at ? (sgn(at->lo) != 0) == value : otherwise(e, value);
-    }
-    if (const auto* v = std::get_if<sema::IsValue>(&e.node)) {
-      const Known at = measured(v->input, v->component);
-      return at ? (at->lo == static_cast<unsigned long>(v->value)) == value : otherwise(e, value);
-    }
-    if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
-      const Known a = measured(v->left.input, v->left.component);
-      const Known b = measured(v->right.input, v->right.component);
-      return a && b ? (a->lo == b->lo) == value : otherwise(e, value);
-    }
-    return otherwise(e, value);
+  // Whether it can be so in spite of what suits, while inputs stay.
+  [[nodiscard]] bool can_be(const sema::Expr& e, bool value) const {
+    return std::visit([&](const auto& node) { return can(node, e, value); }, e.node);
   }
 
  private:
-  [[nodiscard]] bool logic(const sema::Logic& v, bool value, bool suits) const {
+  static bool can(const sema::Truth& v, const sema::Expr&, bool value) { return v.value == value; }
+  [[nodiscard]] bool can(const sema::Logic& v, const sema::Expr&, bool value) const {
+    return logic(v, value);
+  }
+  [[nodiscard]] bool can(const sema::Compare& v, const sema::Expr& e, bool value) const {
+    const Known a = number(*v.left), b = number(*v.right);
+    if (a && b) return is_between(v.op, *a, *b, value);
+    // a side of which robots say nothing is for inputs to say
+    const bool unread = (!a && !senses(spec_, *v.left)) || (!b && !senses(spec_, *v.right));
+    return unread || unknown(e, value);
+  }
+  [[nodiscard]] bool can(const sema::HeldFor& v, const sema::Expr&, bool value) const {
+    return can_be(*v.operand, value);
+  }
+  [[nodiscard]] bool can(const sema::Previously& v, const sema::Expr&, bool value) const {
+    return can_be(*v.operand, value);
+  }
+  [[nodiscard]] bool can(const sema::Past& v, const sema::Expr&, bool value) const {
+    return can_be(*v.operand, value);
+  }
+  // Where the window begins now, what it is since is enough.
+  [[nodiscard]] bool can(const sema::Since& v, const sema::Expr&, bool value) const {
+    const bool right = can_be(*v.right, value);
+    if (sgn(v.interval.from.value) == 0) return right;
+    const bool left = can_be(*v.left, value);
+    return value ? left && right : left || right;
+  }
+  // It is, or nothing has asked for it.
+  [[nodiscard]] bool can(const sema::WithinOf& v, const sema::Expr&, bool value) const {
+    const bool is = can_be(*v.operand, value), asked = can_be(*v.trigger, !value);
+    return value ? is || asked : is && asked;
+  }
+  [[nodiscard]] bool can(const sema::InputRef& v, const sema::Expr& e, bool value) const {
+    const Known at = measured(v.input, v.component);
+    return at ? (sgn(at->lo) != 0) == value : unknown(e, value);
+  }
+  [[nodiscard]] bool can(const sema::IsValue& v, const sema::Expr& e, bool value) const {
+    const Known at = measured(v.input, v.component);
+    return at ? (at->lo == static_cast<unsigned long>(v.value)) == value : unknown(e, value);
+  }
+  [[nodiscard]] bool can(const sema::SameValue& v, const sema::Expr& e, bool value) const {
+    const Known a = measured(v.left.input, v.left.component);
+    const Known b = measured(v.right.input, v.right.component);
+    return a && b ? (a->lo == b->lo) == value : unknown(e, value);
+  }
+  // Of other robots what suits is for them, and what inputs say is not.
+  [[nodiscard]] bool can(const sema::ForOthers& v, const sema::Expr& e, bool value) const {
+    return otherwise(e, value) || can_be(*v.body, value);
+  }
+  [[nodiscard]] bool can(const sema::InsideZone&, const sema::Expr& e, bool value) const {
+    return otherwise(e, value);
+  }
+  [[nodiscard]] bool can(const sema::PlanInside&, const sema::Expr& e, bool value) const {
+    return otherwise(e, value);
+  }
+  [[nodiscard]] bool can(const sema::ZoneOpen&, const sema::Expr& e, bool value) const {
+    return otherwise(e, value);  // at some time
+  }
+  template <class Node>
+  [[nodiscard]] bool can(const Node&, const sema::Expr& e, bool value) const {
+    // The conditions that are left are of places and paths; the others are no conditions.
+    static_assert(
+        is_one_of<Node, sema::PointInside, sema::TrailInside, sema::PathGiven> ||
+        is_one_of<Node, sema::Constant, sema::SignalRef, sema::Clearance, sema::Distance,
+                  sema::EnergyTo, sema::Arithmetic, sema::CountOthers, sema::OverMembers,
+                  sema::AgeOf, sema::SensedAge, sema::ParamRef, sema::PointClearance,
+                  sema::WhileOpen, sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
+                  sema::Math, sema::Choice, sema::Aggregate, sema::AgentDistance>);
+    return unknown(e, value);
+  }
+  // What nobody has read suits nobody, nor of how many robots inputs may say something.
+  [[nodiscard]] bool unknown(const sema::Expr& e, bool value) const {
+    bool counts_told = false;
+    sema::for_each_expr(e, [&](const sema::Expr& part) {
+      const auto* const count = std::get_if<sema::CountOthers>(&part.node);
+      counts_told =
+          counts_told || (count != nullptr && (!spoken_of(spec_, *count->body).empty() ||
+                                               sema::speaks_of<sema::SensedAge>(*count->body)));
+    });
+    return counts_told || !senses(spec_, e) || otherwise(e, value);
+  }
+  [[nodiscard]] bool otherwise(const sema::Expr& e, bool value) const {
+    return anyhow_ || (may_be_ && may_be_(e, value));
+  }
+  [[nodiscard]] bool logic(const sema::Logic& v, bool value) const {
     const auto any = [&](bool wanted) {
-      return std::ranges::any_of(
-          v.operands, [&](const auto& operand) { return can_be(*operand, wanted, suits); });
+      return std::ranges::any_of(v.operands,
+                                 [&](const auto& operand) { return can_be(*operand, wanted); });
     };
     const auto all = [&](bool wanted) {
-      return std::ranges::all_of(
-          v.operands, [&](const auto& operand) { return can_be(*operand, wanted, suits); });
+      return std::ranges::all_of(v.operands,
+                                 [&](const auto& operand) { return can_be(*operand, wanted); });
     };
     switch (v.op) {
       case sema::LogicOp::logical_not:
-        return can_be(*v.operands[0], !value, !suits);
+        return can_be(*v.operands[0], !value);
       case sema::LogicOp::logical_and:
         return value ? all(true) : any(false);
       case sema::LogicOp::logical_or:
         return value ? any(true) : all(false);
       case sema::LogicOp::implies: {
-        const bool unless = can_be(*v.operands[0], !value, !suits);
-        const bool then = can_be(*v.operands[1], value, suits);
+        const bool unless = can_be(*v.operands[0], !value);
+        const bool then = can_be(*v.operands[1], value);
         return value ? unless || then : unless && then;
       }
       case sema::LogicOp::iff:
       case sema::LogicOp::logical_xor: {
         const bool same = (v.op == sema::LogicOp::iff) == value;
         const auto both = [&](bool left, bool right) {
-          return can_be(*v.operands[0], left, true) && can_be(*v.operands[1], right, true);
+          return can_be(*v.operands[0], left) && can_be(*v.operands[1], right);
         };
         return both(true, same) || both(false, !same);
       }
     }
     return true;
-  }
-  [[nodiscard]] bool otherwise(const sema::Expr& e, bool value) const {
-    return anyhow_ || (may_be_ && may_be_(e, value));
-  }
-  [[nodiscard]] bool compare(const sema::Compare& v, const sema::Expr& e, bool value) const {
-    const Known a = number(*v.left), b = number(*v.right);
-    // what inputs decide, and nobody has read, suits nobody
-    if ((!a || !b) && !sema::speaks_of_robot(e) && !told_in(spec_, e).empty()) return true;
-    if (!a || !b) return otherwise(e, value);
-    const auto is_age = [](const sema::Expr& side) {
-      return std::holds_alternative<sema::AgeOf>(side.node);
-    };
-    const bool of_age = is_age(*v.left) || is_age(*v.right);
-    // how old it is, within what is declared, is as it suits
-    if (of_age && is_between(v.op, *a, *b, !value) && is_between(v.op, *a, *b, value)) {
-      return anyhow_;
-    }
-    return is_between(v.op, *a, *b, value);
   }
   static bool is_between(sema::CompareOp op, const Bounds& a, const Bounds& b, bool value) {
     switch (op) {
@@ -124,6 +198,11 @@ class Reader {
     const auto at = inputs_.find({id, component});
     if (at == inputs_.end()) return std::nullopt;
     const sema::Input& input = spec_[id];
+    // what has to come every tick counts for sure when it is new
+    const auto age = inputs_.find({id, age_component(input)});
+    if (!input.max_age && !input.held && age != inputs_.end() && sgn(age->second) > 0) {
+      return std::nullopt;
+    }
     const bool is_number =
         input.type == sema::InputType::real || input.type == sema::InputType::integer;
     Rational by = 0;
@@ -135,44 +214,68 @@ class Reader {
     return Bounds{Rational(at->second - by), Rational(at->second + by)};
   }
   [[nodiscard]] Known number(const sema::Expr& e) const {
-    if (const auto* v = std::get_if<sema::Constant>(&e.node)) return Bounds{v->value, v->value};
-    if (const auto* v = std::get_if<sema::InputRef>(&e.node)) {
-      return measured(v->input, v->component);
-    }
-    if (const auto* v = std::get_if<sema::AgeOf>(&e.node)) {
-      const auto& most = spec_[v->input].max_age;
-      return most ? Known(Bounds{0, most->value}) : std::nullopt;
-    }
-    if (const auto* v = std::get_if<sema::ParamRef>(&e.node)) {
-      const sema::Param& param = spec_[v->param];
-      return Bounds{param.least.value, param.most.value};
-    }
-    if (const auto* v = std::get_if<sema::Aggregate>(&e.node)) {
-      // it stays as it is
-      const bool of_values = v->op == sema::AggregateOp::minimum ||
-                             v->op == sema::AggregateOp::maximum ||
-                             v->op == sema::AggregateOp::mean;
-      return of_values ? number(*v->operand) : std::nullopt;
-    }
-    if (const auto* v = std::get_if<sema::Choice>(&e.node)) return choice(*v);
-    std::vector<Bounds> of;
-    const auto* const sum = std::get_if<sema::Arithmetic>(&e.node);
-    const auto* const math = std::get_if<sema::Math>(&e.node);
-    if (sum == nullptr && math == nullptr) return std::nullopt;
-    for (const auto& operand : sum != nullptr ? sum->operands : math->operands) {
-      const Known each = number(*operand);
-      if (!each) return std::nullopt;
-      of.push_back(*each);
-    }
-    return sum != nullptr ? arithmetic(*sum, of) : extreme(math->op, of);
+    return std::visit([&](const auto& node) { return known(node); }, e.node);
   }
-  [[nodiscard]] Known choice(const sema::Choice& v) const {
+  static Known known(const sema::Constant& v) { return Bounds{v.value, v.value}; }
+  [[nodiscard]] Known known(const sema::InputRef& v) const {
+    return measured(v.input, v.component);
+  }
+  [[nodiscard]] Known known(const sema::AgeOf& v) const {
+    const auto at = inputs_.find({v.input, age_component(spec_[v.input])});
+    return at == inputs_.end() ? Known() : Bounds{at->second, at->second};
+  }
+  [[nodiscard]] Known known(const sema::SensedAge& v) const {
+    const auto at = ages_.find(v.signal);
+    return at == ages_.end() ? Known() : Bounds{at->second, at->second};
+  }
+  [[nodiscard]] Known known(const sema::ParamRef& v) const {
+    const sema::Param& param = spec_[v.param];
+    return Bounds{param.least.value, param.most.value};
+  }
+  // It stays as it is.
+  [[nodiscard]] Known known(const sema::Aggregate& v) const {
+    const bool of_values = v.op == sema::AggregateOp::minimum ||
+                           v.op == sema::AggregateOp::maximum || v.op == sema::AggregateOp::mean;
+    return of_values ? number(*v.operand) : std::nullopt;
+  }
+  [[nodiscard]] Known known(const sema::Choice& v) const {
     const Known yes = number(*v.then_value), no = number(*v.else_value);
-    if (!yes || !no || sema::speaks_of_robot(*v.condition)) return std::nullopt;
-    const bool may_be = can_be(*v.condition, true, true),
-               need_not = can_be(*v.condition, false, true);
+    if (!yes || !no || senses(spec_, *v.condition)) return std::nullopt;
+    const bool may_be = can_be(*v.condition, true), need_not = can_be(*v.condition, false);
     if (may_be != need_not) return may_be ? yes : no;
     return Bounds{std::min(yes->lo, no->lo), std::max(yes->hi, no->hi)};
+  }
+  [[nodiscard]] Known known(const sema::Arithmetic& v) const {
+    const auto of = numbers(v.operands);
+    return of ? arithmetic(v, *of) : std::nullopt;
+  }
+  [[nodiscard]] Known known(const sema::Math& v) const {
+    const auto of = numbers(v.operands);
+    return of ? extreme(v.op, *of) : std::nullopt;
+  }
+  template <class Node>
+  static Known known(const Node&) {
+    // The quantities that are left are of places and robots; the others are conditions.
+    static_assert(
+        is_one_of<Node, sema::SignalRef, sema::Clearance, sema::Distance, sema::EnergyTo,
+                  sema::CountOthers, sema::OverMembers, sema::PointClearance, sema::WhileOpen,
+                  sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
+                  sema::AgentDistance> ||
+        is_one_of<Node, sema::Truth, sema::InsideZone, sema::PlanInside, sema::Compare, sema::Logic,
+                  sema::HeldFor, sema::ForOthers, sema::PointInside, sema::ZoneOpen,
+                  sema::TrailInside, sema::PathGiven, sema::IsValue, sema::SameValue,
+                  sema::Previously, sema::Past, sema::Since, sema::WithinOf>);
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<std::vector<Bounds>> numbers(
+      const std::vector<sema::ExprPtr>& operands) const {
+    std::vector<Bounds> all;
+    for (const auto& operand : operands) {
+      const Known each = number(*operand);
+      if (!each) return std::nullopt;
+      all.push_back(*each);
+    }
+    return all;
   }
   static Known arithmetic(const sema::Arithmetic& v, const std::vector<Bounds>& of) {
     Bounds all = of.front();
@@ -219,11 +322,15 @@ class Reader {
   const ToldInputs& inputs_;
   bool with_errors_, anyhow_;
   MayBe may_be_;
+  SensedAges ages_;
 };
 
 bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
                  const Rational& value) {
-  if (component >= input.components.size()) return false;
+  if (component == age_component(input)) {
+    return sgn(value) >= 0 && (!input.max_age || value <= input.max_age->value);
+  }
+  if (component > input.components.size()) return false;
   if (input.type == sema::InputType::boolean) return value == 0 || value == 1;
   if (input.type == sema::InputType::enumeration) {
     return value.get_den() == 1 && sgn(value) >= 0 &&
@@ -234,6 +341,122 @@ bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t
   const Rational step = input.type == sema::InputType::integer ? Rational(1) : m.resolution;
   return (!m.least || value >= m.least->value) && (!m.most || value <= m.most->value) &&
          Rational(value / step).get_den() == 1;
+}
+
+const sema::RobotKind* kind_of(const sema::Spec& spec, const sema::Expr& said) {
+  for (const sema::Monitor& m : spec.monitors) {
+    if (m.always.get() == &said || m.return_when.get() == &said) return &spec[m.kind];
+  }
+  return nullptr;
+}
+// How old a signal may be to make a difference: what its age is compared with, what lies between
+// two such, and some of all that it may be.
+std::vector<Rational> ages_to_try(const std::vector<const sema::Expr*>& said, sema::Sensed signal,
+                                  const Rational& most) {
+  std::set<Rational> all;
+  for (int k = 0; k <= 8; ++k) all.insert(Rational(most * k / 8));
+  for (const sema::Expr* each : said) {
+    sema::for_each_expr(*each, [&](const sema::Expr& part) {
+      if (!std::holds_alternative<sema::Compare>(part.node)) return;
+      bool is_of_it = false;
+      sema::for_each_expr(part, [&](const sema::Expr& of) {
+        const auto* const v = std::get_if<sema::SensedAge>(&of.node);
+        is_of_it = is_of_it || (v != nullptr && v->signal == signal);
+      });
+      if (!is_of_it) return;
+      sema::for_each_expr(part, [&](const sema::Expr& of) {
+        const auto* const v = std::get_if<sema::Constant>(&of.node);
+        if (v != nullptr && sgn(v->value) >= 0 && v->value <= most) all.insert(v->value);
+      });
+    });
+  }
+  std::vector<Rational> ages;
+  for (const Rational& each : all) {
+    if (!ages.empty()) ages.emplace_back((ages.back() + each) / 2);
+    ages.push_back(each);
+  }
+  return ages;
+}
+// All that is said of one kind of robot, with one age of each signal that it speaks of.
+template <class Visit>
+bool is_at_some_ages(const sema::Spec& spec, const std::vector<const sema::Expr*>& said,
+                     const Visit& visit) {
+  std::set<sema::Sensed> left;
+  const sema::RobotKind* kind = nullptr;
+  for (const sema::Expr* each : said) {
+    sema::for_each_expr(*each, [&](const sema::Expr& part) {
+      const auto* const v = std::get_if<sema::SensedAge>(&part.node);
+      if (v != nullptr) left.insert(v->signal);
+    });
+    if (kind == nullptr) kind = kind_of(spec, *each);
+  }
+  std::vector<SensedAges> all{{}};
+  for (const sema::Sensed signal : left) {
+    if (kind == nullptr) break;
+    const auto& sense = signal == sema::Sensed::position   ? kind->position
+                        : signal == sema::Sensed::velocity ? kind->velocity
+                                                           : kind->battery;
+    if (!sense) continue;
+    std::vector<SensedAges> more;
+    for (const Rational& age : ages_to_try(said, signal, sense->max_age.value)) {
+      for (SensedAges with : all) {
+        with[signal] = age;
+        more.push_back(std::move(with));
+      }
+    }
+    all = std::move(more);
+  }
+  return std::ranges::any_of(all, visit);
+}
+
+std::set<ToldInput> inputs_told(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<ToldInput> all;
+  const auto add = [&](sema::InputId id, std::uint32_t component) {
+    const sema::Input& input = spec[id];
+    const bool is_place =
+        input.type == sema::InputType::zone || input.type == sema::InputType::path;
+    if (!is_sensed(input) && !is_place) all.insert({id, component});
+  };
+  if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
+  if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);
+  if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
+    add(v->left.input, v->left.component);
+    add(v->right.input, v->right.component);
+  }
+  if (const auto* v = std::get_if<sema::AgeOf>(&e.node)) {
+    add(v->input, age_component(spec[v->input]));
+  }
+  sema::for_each_operand(e, [&](const auto& operand) { all.merge(inputs_told(spec, *operand)); });
+  return all;
+}
+// All of these at once.
+bool told_make(const sema::Spec& spec, const std::vector<const sema::Expr*>& said,
+               const ToldInputs& inputs, bool value) {
+  for (const sema::Expr* each : said) {
+    for (const ToldInput& told : inputs_told(spec, *each)) {
+      if (!inputs.contains(told)) return false;
+    }
+  }
+  return is_at_some_ages(spec, said, [&](const SensedAges& ages) {
+    const Reader reader(spec, inputs, value, false, {}, ages);
+    return std::ranges::none_of(
+        said, [&](const sema::Expr* each) { return reader.can_be(*each, !value); });
+  });
+}
+
+// What anybody says of a part of a property besides robots: an input, or how old is what they
+// sense.
+using Source = std::pair<bool, std::uint32_t>;
+std::set<Source> sources_in(const sema::Spec& spec, const sema::Expr& e) {
+  std::set<Source> all;
+  for (const sema::InputId id : spoken_of(spec, e)) {
+    all.insert({false, static_cast<std::uint32_t>(id)});
+  }
+  sema::for_each_expr(e, [&](const sema::Expr& part) {
+    const auto* const v = std::get_if<sema::SensedAge>(&part.node);
+    if (v != nullptr) all.insert({true, static_cast<std::uint32_t>(v->signal)});
+  });
+  return all;
 }
 
 }  // namespace
@@ -263,26 +486,17 @@ std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string&
 }
 
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e) {
-  std::set<ToldInput> all;
-  const auto add = [&](sema::InputId id, std::uint32_t component) {
-    const sema::Input& input = spec[id];
-    const bool is_place =
-        input.type == sema::InputType::zone || input.type == sema::InputType::path;
-    if (!input.robot && !input.agent && !is_place) all.insert({id, component});
-  };
-  if (const auto* v = std::get_if<sema::InputRef>(&e.node)) add(v->input, v->component);
-  if (const auto* v = std::get_if<sema::IsValue>(&e.node)) add(v->input, v->component);
-  if (const auto* v = std::get_if<sema::SameValue>(&e.node)) {
-    add(v->left.input, v->left.component);
-    add(v->right.input, v->right.component);
+  std::set<ToldInput> all = inputs_told(spec, e);
+  const bool of_ages = all.empty() && sema::speaks_of<sema::SensedAge>(e);
+  if (of_ages && (!told_make(spec, {&e}, {}, true) || !told_make(spec, {&e}, {}, false))) {
+    all.insert(untold);
   }
-  sema::for_each_operand(e, [&](const auto& operand) { all.merge(told_in(spec, *operand)); });
   return all;
 }
 
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
   std::set<sema::InputId> all;
-  for (const ToldInput& each : told_in(spec, e)) all.insert(each.first);
+  for (const ToldInput& each : inputs_told(spec, e)) all.insert(each.first);
   sema::for_each_expr(e, [&](const sema::Expr& part) {
     const auto* v = std::get_if<sema::AgeOf>(&part.node);
     if (v != nullptr && !spec[v->input].robot && !spec[v->input].agent) all.insert(v->input);
@@ -292,26 +506,24 @@ std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
 
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value) {
-  const auto all = told_in(spec, property);
-  return std::ranges::all_of(all, [&](const ToldInput& each) { return inputs.contains(each); }) &&
-         !Reader(spec, inputs, value).can_be(property, !value, value);
+  return told_make(spec, {&property}, inputs, value);
 }
 
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
                          const ToldInputs& inputs, const MayBe& may_be) {
-  return !Reader(spec, inputs, true, false, may_be).can_be(property, false, true);
+  return !Reader(spec, inputs, true, false, may_be).can_be(property, false);
 }
 
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,
                                           const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always) {
-  const auto times = [&](sema::InputId input) {
+  const auto times = [&](const Source& source) {
     int count = 0;
     for (const sema::Expr* each : all) {
       sema::for_each_expr(*each, [&](const sema::Expr& part) {
         bool whole = false;
         sema::for_each_operand(part, [&](const auto&) { whole = true; });
-        count += !whole && spoken_of(spec, part).contains(input) ? 1 : 0;
+        count += !whole && sources_in(spec, part).contains(source) ? 1 : 0;
       });
     }
     return count;
@@ -322,7 +534,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
     sema::for_each_expr(e, [&](const sema::Expr& part) {
       const auto* const logic = std::get_if<sema::Logic>(&part.node);
       found = found || (logic != nullptr && logic->op != sema::LogicOp::logical_and &&
-                        sema::speaks_of_robot(part) && !spoken_of(spec, part).empty());
+                        sema::speaks_of_robot(part) && !sources_in(spec, part).empty());
     });
     return found;
   };
@@ -343,8 +555,9 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
                       std::holds_alternative<sema::Past>(e.node);
     if (both) {
       sema::for_each_operand(e, [&](const sema::ExprPtr& x) { left.push_back(x.get()); });
-    } else if (may_choose(e) &&
-               std::ranges::any_of(spoken_of(spec, e), [&](auto x) { return times(x) > 1; })) {
+    } else if (may_choose(e) && std::ranges::any_of(sources_in(spec, e), [&](const Source& x) {
+                 return times(x) > 1;
+               })) {
       torn.push_back(&e);
     }
   }
@@ -353,7 +566,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
 
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,
                       const ToldInputs& inputs) {
-  return !inputs.empty() && !Reader(spec, inputs, true, true).can_be(property, false, false);
+  return !inputs.empty() && !Reader(spec, inputs, true, true).can_be(property, false);
 }
 
 std::optional<Doubt> Claims::told(const Values& v) {
@@ -379,6 +592,7 @@ bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::st
   }
   std::set<sema::InputId> known;
   for (const sema::Expr* each : said_by(spec, d, only)) {
+    if (sema::speaks_of<sema::SensedAge>(*each)) return true;
     for (const sema::InputId id : spoken_of(spec, *each)) {
       if (!known.insert(id).second) return true;
     }
@@ -401,8 +615,7 @@ std::optional<Doubt> Claims::at_once(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto inputs = told_inputs(spec_, text(v, "inputs"));
   if (d == nullptr || !inputs) return wrong("the inputs cannot be measured so");
-  for (const sema::Expr* each : said_by(spec_, *d, text(v, "monitor"))) {
-    if (told_makes(spec_, *each, *inputs, true)) continue;
+  if (!told_make(spec_, said_by(spec_, *d, text(v, "monitor")), *inputs, true)) {
     return wrong("with those inputs not all that is asked for need be true");
   }
   for (const std::string& name : names_in(text(v, "alone"))) {

@@ -14,13 +14,15 @@
 
 namespace rtac::recheck {
 
-using ToldInput = std::pair<sema::InputId, std::uint32_t>;  // and its component
+// And its component; behind the last one how old it is, in s.
+using ToldInput = std::pair<sema::InputId, std::uint32_t>;
 // Of a truth 0 or 1, of a choice its number; else SI.
 using ToldInputs = std::map<ToldInput, Rational>;
 
 // Of "load.0=41/2;door.0=1"; none: it cannot be read, or an input cannot be that.
 std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text);
-// Those that a property speaks of, and that no robot senses.
+// Those that a property speaks of, and that no robot senses; where there are none, and however old
+// is what its robot senses it cannot be both true and false by that, one that nobody tells.
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
 // The same inputs, and those whose age it speaks of.
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
@@ -28,15 +30,15 @@ std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
 std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
                                        const std::string& only);
 // Whether two of these speak of one input, so that they may exclude each other, or a `return when`
-// of any, which may never be so.
+// of any, which may never be so; or one of how old is what its robot senses.
 bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as
-// long as it takes, and what no input decides is as it suits. It is then true whatever the errors,
-// and false where there are none.
+// long as it takes, and what robots sense is as it suits, one age of it included. It is then true
+// whatever the errors, and false where there are none. What nobody knows makes nothing so.
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
                 bool value);
-// Whether it is true while these are measured, and what no input decides suits, but what is said
-// that it may be otherwise.
+// Whether it is true while these are measured, and what robots sense suits, but what is said that
+// it may be otherwise, and how old it is.
 using MayBe = std::function<bool(const sema::Expr&, bool value)>;
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
                          const ToldInputs& inputs, const MayBe& may_be);
