@@ -283,8 +283,11 @@ class Check {
     }
   }
   void told(const sema::Decision& d, const Entry& e, const sema::Monitor& m, const char* value) {
-    if (told_in(spec_, *m.always).empty()) return;
-    need(d, e, "told", {{"monitor", m.name}, {"value", value}});
+    if (!told_in(spec_, *m.always).empty()) {
+      return need(d, e, "told", {{"monitor", m.name}, {"value", value}});
+    }
+    if (told_makes(spec_, *m.always, {}, value == std::string("true"))) return;
+    fail(whom(d, e) + ": nothing that its robot may sense makes it so");
   }
   // All zones are seen at one place, and of each `or` one side.
   void one_place(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {

@@ -19,9 +19,6 @@ using Known = std::optional<Bounds>;
 template <class Node, class... Of>
 constexpr bool is_one_of = (std::is_same_v<Node, Of> || ...);
 
-// What no claim tells.
-constexpr ToldInput untold{sema::InputId{~0U}, 0};
-
 // How old is what the robot senses, in s.
 using SensedAges = std::map<sema::Sensed, Rational>;
 
@@ -486,12 +483,7 @@ std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string&
 }
 
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e) {
-  std::set<ToldInput> all = inputs_told(spec, e);
-  const bool of_ages = all.empty() && sema::speaks_of<sema::SensedAge>(e);
-  if (of_ages && (!told_make(spec, {&e}, {}, true) || !told_make(spec, {&e}, {}, false))) {
-    all.insert(untold);
-  }
-  return all;
+  return inputs_told(spec, e);
 }
 
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e) {

@@ -21,8 +21,7 @@ using ToldInputs = std::map<ToldInput, Rational>;
 
 // Of "load.0=41/2;door.0=1"; none: it cannot be read, or an input cannot be that.
 std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text);
-// Those that a property speaks of, and that no robot senses; where there are none, and however old
-// is what its robot senses it cannot be both true and false by that, one that nobody tells.
+// Those that a property speaks of, and that no robot senses.
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
 // The same inputs, and those whose age it speaks of.
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);

@@ -142,7 +142,12 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
   if (Doubt doubt = doubt_about(s, k, k); !doubt.why.empty()) {
     return doubted(std::move(o), std::move(doubt));
   }
-  // which errors of the analysis say as well, but where another one comes first
+  // which errors of the analysis say as well, but where another one comes first, or it is accepted
+  const bool charged = m.recovery.kind == ir::RecoveryKind::route && m.recovery.charges;
+  if (atoms.charge && !charged) {
+    return doubted(std::move(o),
+                   {"nobody accounts for the charge that " + quoted(m.recovery.name) + " spends"});
+  }
   if (!slow_enough(s, k, k)) {
     return doubted(std::move(o), {quoted(m.recovery.name) + " may drive faster than " +
                                   quoted(m.name) + " allows"});
