@@ -18,16 +18,19 @@ const std::string cart = R"(robot Cart {
 
 class JointReturn : public Verify {
  protected:
+  // Of the first monitor of which it is not proved.
   static std::string status_of(const Json& report, const std::string& kind) {
+    std::string found;
     for (const Json& o : report["decisions"][0]["obligations"]) {
-      if (o["obligation"] == kind) return o["status"];
+      if (o["obligation"] == kind && (found.empty() || found == "proved")) found = o["status"];
     }
-    return "";
+    return found;
   }
   // What is left open or refuted of one page is denied with the certificates of another one whose
   // names are the same.
   void expect_not_proved(const std::string& kind, const std::string& good, const std::string& bad,
                          const std::string& why) {
+    fs::remove_all("certificates");
     verified(good, {"--attack", "1", "-o", "certificates"});
     const Json known = Json::parse(read("certificates/verification.json"));
     ASSERT_EQ(status_of(known, kind), "proved") << good;
@@ -225,7 +228,7 @@ decision lead for Cart { advanced tour; period 50 ms; priority one; }
 controller tour : advanced for Cart extern;
 controller stop : safe for Cart = brake_and_hold;
 monitor one for r : Cart { "R1" always distance(r, man) >= )" +
-           gap + R"(; recover stop; hold when violated "a test"; }
+           gap + R"(; recover stop; }
 decision lead for Cart { advanced tour; period 50 ms; priority one; acknowledge stop may break one "a test"; }
 )";
   };
