@@ -320,6 +320,11 @@ class Pair {
     entry_.change = Change{};
     entry_.change->stands = static_cast<std::size_t>(&driving_ - decision_.monitors.data());
   }
+  void offer_to_land(std::int64_t mm) {
+    entry_.help = "`land to " + metres(mm) + "` works";
+    entry_.change = Change{};
+    entry_.change->lands = {static_cast<std::size_t>(&driving_ - decision_.monitors.data()), mm};
+  }
   void offer_within(ir::ZoneIndex zone, ir::ZoneIndex fence) {
     if (is_boundless(module_[fence])) return;
     const ir::Recovery& last = ir::last_step(recovery_);
@@ -387,7 +392,7 @@ class Pair {
     entry_.why = "whether the way down of " + quoted(recovery_.name) + " lies in " +
                  quoted(module_[fence].name) + " is not shown";
     if (down && least_mm < slabs.back().ceiling * 1000) {
-      entry_.help = "`land to " + metres(least_mm) + "` works";
+      offer_to_land(least_mm);
     } else {
       offer_to_stand();
     }
@@ -431,9 +436,11 @@ class Pair {
     const auto least = ir::lower_bound(block, compare, decision_.facts.params);
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
       bool kept = true;
+      std::int64_t lands_mm = 0;
       if (step->kind == ir::RecoveryKind::land) {
         const std::int64_t strays_mm = step->route_clearance_mm - decision_.body.radius_mm;
-        kept = !least || step->land_mm >= least->need.strictest + strays_mm;
+        if (least) lands_mm = least->need.strictest + strays_mm;
+        kept = step->land_mm >= lands_mm;
       } else if (step->claims && !module_[step->zone].has_height()) {
         kept = false;
       } else if (const auto zone = moves_within(*step)) {
@@ -445,7 +452,11 @@ class Pair {
       if (kept) continue;
       entry_.why = quoted(recovery_.name) + " may go beyond the height that " +
                    quoted(judged_.name) + " allows";
-      offer_to_stand();
+      if (lands_mm > 0) {
+        offer_to_land(lands_mm);
+      } else {
+        offer_to_stand();
+      }
       const auto zone = moves_within(*step);
       if (zone && !step->claims) {
         offer_between(*zone, least ? std::optional(least->need.strictest) : std::nullopt,

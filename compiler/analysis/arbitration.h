@@ -27,11 +27,13 @@ enum class Keeping {
 };
 // What a report may offer: another order of the monitors, by their ranks as they are declared,
 // monitors that let go without more, a monitor whose recovery brakes and holds instead, one that
-// recovers as another one does, or larger numbers of the energy clause, in s and m.
+// recovers as another one does, a recovery that lands higher, by its monitor and in mm, or larger
+// numbers of the energy clause, in s and m.
 struct Change {
   std::vector<std::size_t> order{}, without_return{};
   std::optional<std::size_t> stands{};
   std::optional<std::pair<std::size_t, std::size_t>> follows{};
+  std::optional<std::pair<std::size_t, std::int64_t>> lands{};
   std::optional<Rational> held{}, detour{};
 };
 // That the recovery moves in what all of `parts` have in common instead of `from`.

@@ -143,44 +143,24 @@ class Deriver {
     sema::RobotKind& kind = spec_.kinds[index(decision.kind)];
     const auto order = decision.priority;
     const auto energy = kind.energy;
+    const auto controllers = spec_.controllers;
+    std::vector<std::optional<sema::ControllerId>> recoveries;
+    for (const sema::MonitorId id : order) recoveries.push_back(spec_[id].recover);
     std::vector<sema::ExprPtr> returns;
     for (const std::size_t k : change.without_return) {
-      returns.push_back(std::move(spec_.monitors[index(order[k])].return_when));
-      spec_.monitors[index(order[k])].return_when = nullptr;
+      returns.push_back(std::exchange(spec_.monitors[index(order[k])].return_when, nullptr));
     }
-    for (std::size_t k = 0; k < change.order.size(); ++k) {
-      decision.priority[k] = order[change.order[k]];
-    }
-    // another one for that monitor alone: others may recover by the same
-    sema::Monitor* const stands =
-        change.stands ? &spec_.monitors[index(order[*change.stands])] : nullptr;
-    const auto recovers = stands != nullptr ? stands->recover : std::nullopt;
-    if (stands != nullptr) {
-      sema::Controller standing = spec_[*recovers];
-      standing.name += " that stands";
-      standing.implementation = sema::BrakeAndHold{};
-      stands->recover = sema::ControllerId(spec_.controllers.size());
-      spec_.controllers.push_back(std::move(standing));
-    }
-    const auto follows =
-        change.follows ? &spec_.monitors[index(order[change.follows->first])] : nullptr;
-    const auto followed = follows != nullptr ? follows->recover : std::nullopt;
-    if (follows != nullptr) {
-      follows->recover = spec_.monitors[index(order[change.follows->second])].recover;
-    }
-    if (change.held) kind.energy->held.value = *change.held;
-    if (change.detour) kind.energy->detour.value = *change.detour;
+    write(change, decision, kind);
     diag::Engine aside;
     auto derived = Deriver(spec_, sources_, aside, {}, false).run(Finding::is_told);
     found.waits = !derived || waits(derived->module.decisions[n]);
     if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside);
     decision.priority = order;
     kind.energy = energy;
-    if (stands != nullptr) {
-      stands->recover = recovers;
-      spec_.controllers.pop_back();
+    spec_.controllers = controllers;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      spec_.monitors[index(order[k])].recover = recoveries[k];
     }
-    if (follows != nullptr) follows->recover = followed;
     for (std::size_t k = 0; k < returns.size(); ++k) {
       spec_.monitors[index(order[change.without_return[k]])].return_when = std::move(returns[k]);
     }
@@ -188,6 +168,42 @@ class Deriver {
       if (diag::info(d.code).severity == diag::Severity::error) found.errors.push_back(d);
     }
     return found;
+  }
+  void write(const Change& change, sema::Decision& decision, sema::RobotKind& kind) {
+    const auto order = decision.priority;
+    const auto monitor = [&](std::size_t k) -> sema::Monitor& {
+      return spec_.monitors[index(order[k])];
+    };
+    for (std::size_t k = 0; k < change.order.size(); ++k) {
+      decision.priority[k] = order[change.order[k]];
+    }
+    if (change.follows) {
+      monitor(change.follows->first).recover = monitor(change.follows->second).recover;
+    }
+    if (change.lands) {
+      lands_at(spec_.controllers[index(*monitor(change.lands->first).recover)],
+               Rational(static_cast<long>(change.lands->second), 1000));
+    }
+    // another one for that monitor alone: others may recover by the same
+    if (change.stands) {
+      sema::Controller standing = spec_[*monitor(*change.stands).recover];
+      standing.name += " that stands";
+      standing.implementation = sema::BrakeAndHold{};
+      monitor(*change.stands).recover = sema::ControllerId(spec_.controllers.size());
+      spec_.controllers.push_back(std::move(standing));
+    }
+    if (change.held) kind.energy->held.value = *change.held;
+    if (change.detour) kind.energy->detour.value = *change.detour;
+  }
+  // The landing that a recovery ends with.
+  static void lands_at(sema::Controller& recovery, const Rational& height) {
+    if (auto* const sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
+      if (auto* const land = std::get_if<sema::Land>(&sequence->steps.back().what)) {
+        land->height.value = height;
+      }
+    } else if (auto* const land = std::get_if<sema::Land>(&recovery.implementation)) {
+      land->height.value = height;
+    }
   }
   // For numbers to be tried in, too; none in what is tried itself.
   Trials* trials() { return offers_ ? &trials_ : nullptr; }

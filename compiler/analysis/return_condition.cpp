@@ -26,9 +26,6 @@ namespace {
 using ir::Leaf;
 using Finding = std::optional<diag::Diagnostic>;
 
-// A robot counts as parked within this of its site, in mm: the route's tests hold it.
-constexpr std::int64_t parked_mm = 100;
-
 std::int64_t div_up(std::int64_t a, std::int64_t b) {
   return (a + b - 1) / b;
 }

@@ -16,8 +16,6 @@ namespace {
 
 using How = ir::Returns::How;
 
-constexpr std::int64_t parked_mm = 100;  // a robot counts as parked within this of its site
-
 class Met {
  public:
   Met(const sema::Spec& spec, const sema::Monitor& written, const ir::Module& module,

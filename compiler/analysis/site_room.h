@@ -14,6 +14,8 @@ namespace rtac::analysis {
 
 // A robot is charged so near to its dock (language rule 6.7).
 inline constexpr std::int64_t dock_reach_mm = 150;
+// And counts as parked within this of its site: the route's tests hold it.
+inline constexpr std::int64_t parked_mm = 100;
 // How far from the end of its way errors and pushes that last may let it rest.
 inline std::int64_t rests_off_mm(const ir::Body& body) {
   return body.end_reach_mm + body.sway_mm;

@@ -463,7 +463,7 @@ Found Claims::fails(const Values& v) {
   return std::nullopt;
 }
 
-// Inputs with which the property is seen to be true, or is false, as far as it is up to them.
+// What the specification says by itself.
 Found Claims::known(const Values& v) {
   if (decision(v) == nullptr) return wrong("no such decision");
   return std::nullopt;
