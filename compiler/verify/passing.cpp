@@ -330,9 +330,9 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.because = none.why;
   if (!none.why.empty() && leads_nowhere(zone, yield)) {
     o.because += "; " + quoted(yield.name) + " leads over cells that are " +
-                 metres(yield.route_clearance_mm) + " from the boundary, of which there are none";
-    const std::int64_t wide_mm = 2 * yield.route_clearance_mm + 2 * zone.cells.cell_mm;
-    o.repair = "it takes a zone about " + metres(wide_mm) + " wide; or " + o.repair;
+                 metres(yield.route_clearance_mm) +
+                 " from the boundary, of which there are none in a zone less than about " +
+                 metres(2 * yield.route_clearance_mm + 2 * zone.cells.cell_mm) + " wide";
   }
   if (!none.why.empty()) {
     if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
