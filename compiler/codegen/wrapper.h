@@ -11,10 +11,10 @@
 namespace rtac::codegen {
 
 struct Naming {
-  std::string stem;    // base name of the generated files
-  std::string source;  // base name of the specification
-  std::string space;   // C++ namespace
-  std::string mutant;  // name of a deliberately unsound variant (mutate.h); empty: none
+  std::string stem;      // base name of the generated files
+  std::string source;    // base name of the specification
+  std::string space;     // C++ namespace
+  std::string mutant{};  // name of a deliberately unsound variant (mutate.h); empty: none
 };
 
 std::string wrapper_header(const ir::Module& module, const sema::Spec& spec, const Names& names,
