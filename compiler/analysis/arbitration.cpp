@@ -547,10 +547,8 @@ class Pair {
       const ir::Recovery& other = decision_.monitors[k].recovery;
       // who ranks lower lets the charge take over
       const bool before = k == drives_ || decision_.coordinated || (k < judged && drives_ < judged);
-      if (!before || other.name == judged_.recovery.name ||
-          ir::acknowledged(decision_, other.name, judged_.name)) {
-        continue;
-      }
+      const bool accepted = k != drives_ && ir::acknowledged(decision_, other.name, judged_.name);
+      if (!before || accepted || other.name == judged_.recovery.name) continue;
       const std::optional<Ending>& end = endings_.of(other);
       if (!end) continue;  // which is a matter of that pair
       const Spent most = spent_by(other, *end);

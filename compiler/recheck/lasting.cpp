@@ -240,7 +240,8 @@ bool spends_charge(const sema::Spec& spec, const sema::Decision& decision, Claim
 }
 
 std::optional<std::string> takes_too_much(const sema::Spec& spec, const sema::Decision& decision,
-                                          const Part& part, const sema::Monitor& charge) {
+                                          const Part& part, const sema::Monitor& charge,
+                                          const std::string& driving) {
   const auto& energy = spec[decision.kind].energy;
   if (!energy || !charge.recover) return "no charge is declared";
   const auto home = sema::templates_of(spec[*charge.recover]);
@@ -248,6 +249,10 @@ std::optional<std::string> takes_too_much(const sema::Spec& spec, const sema::De
   std::map<std::string, std::pair<Rational, Rational>> most;  // s and m, of each recovery
   for (const Entry& e : part.entries) {
     if (e.kind != "C" || e.monitor != charge.name) continue;
+    const bool accepted = std::ranges::any_of(decision.acknowledgements, [&](const auto& a) {
+      return spec[a.recovery].name == e.recovery && spec[a.monitor].name == charge.name;
+    });
+    if (accepted && e.recovery != driving) continue;
     for (const Claim& c : e.claims) {
       const auto held_us = number(c.values, "held_us"), driven_mm = number(c.values, "driven_mm");
       if (c.what != "lasts" || !held_us || !driven_mm) continue;

@@ -579,7 +579,8 @@ class Check {
       as_slow(d, e, spec_[*driving.recover], m);
       if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
         need(d, e, "lasts", {{"monitor", driving.name}});
-        if (const auto why = takes_too_much(spec_, d, part, m)) fail(whom(d, e) + ": " + *why);
+        if (const auto why = takes_too_much(spec_, d, part, m, e.recovery))
+          fail(whom(d, e) + ": " + *why);
       }
     }
   }

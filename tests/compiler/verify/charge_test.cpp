@@ -136,6 +136,24 @@ decision drive for Cart { advanced explore; period 50 ms; priority clear > walls
   expect_denied(page("1000 s"), page("500 s"), "last longer than `held`");
 }
 
+// What somebody accepts of one recovery is no matter of another one, and is judged all the same.
+TEST_F(Charge, PaysForNobodyWhoMayBreakIt) {
+  const auto page = [](const std::string& held, const std::string& more) {
+    return cart(
+        "held <= " + held + "; detour <= 30 m;",
+        R"(monitor clear  for c : Cart { "R1" always clearance(c, yard) >= 5 cm; recover inwards; return when clearance(c, yard) >= 5 cm for 300 s; }
+monitor walls  for c : Cart { "R2" always c inside yard; recover to_base; return when c inside spot for 300 s; }
+monitor charge for c : Cart { "R3" always c.battery >= energy_to(home) + 5 %; recover go_home; }
+decision drive for Cart { advanced explore; period 50 ms; priority clear > walls > charge; )" +
+            more + "}\n");
+  };
+  const std::string accept = "acknowledge inwards may break charge \"a test\"; ";
+  ASSERT_EQ(verified(page("500 s", accept), {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  const Json alone = obligation(page("100 s", accept), "C", "charge", "inwards");
+  EXPECT_EQ(alone["method"], "acknowledged") << alone;
+}
+
 // Who stands in the way of a robot keeps it there, with or without company of its own kind.
 TEST_F(Charge, RestsOnWhatIsDeclaredAmongAgents) {
   const std::string text =
