@@ -333,6 +333,11 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     if (s.decision.robots > 1 || s.decision.open_fleet) {
       ways.because += ", as soon as no other robot stands in its way";
     }
+    if (std::ranges::any_of(s.decision.monitors, [](const ir::Monitor& each) {
+          return atoms_of(each.property).agent;
+        })) {
+      ways.because += ", as soon as no agent stands in its way";
+    }
     return returned_at_rest(s, k, std::move(ways));
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
