@@ -27,6 +27,7 @@ Expanded expand(Block property, Lookahead look = {true, 200'000, 2, false},
   Expanded e{module_with(std::move(property)), {}};
   e.module.decisions[0].monitors[0].lookahead = look;
   e.module.decisions[0].monitors[0].recovery.kind = recovery;
+  e.module.decisions[0].monitors[0].recovery.charges = recovery == RecoveryKind::route;
   if (acknowledged) e.module.decisions[0].acknowledgements = {{"turn_back", "walls", "a test"}};
   e.module.decisions[0].hold_reserve_ppm = 1000;
   expand_lookahead(e.module, e.diagnostics);
@@ -210,9 +211,21 @@ TEST(ExpandLookahead, TheChargeForAWayNeedsARecoveryThatDrivesIt) {
   e.module.sites.push_back(e.module.sites[0]);
   Recovery& recovery = e.module.decisions[0].monitors[0].recovery;
   recovery.kind = RecoveryKind::route;
+  recovery.charges = true;
   recovery.site = SiteIndex{1};
   expand_lookahead(e.module, e.diagnostics);
   EXPECT_EQ(first_code(e.diagnostics), "recovery_spends_charge");
+}
+
+// language, rule 6.7: where nobody charges the robot idling takes what is left.
+TEST(ExpandLookahead, AWayToWhereNobodyChargesIsRefused) {
+  Expanded e{module_with(charge_of(200'000)), {}};
+  Recovery& recovery = e.module.decisions[0].monitors[0].recovery;
+  recovery.kind = RecoveryKind::route;
+  expand_lookahead(e.module, e.diagnostics);
+  EXPECT_EQ(first_code(e.diagnostics), "recovery_spends_charge");
+  EXPECT_NE(e.diagnostics.all()[0].message.find("ends where nobody charges the robot"),
+            std::string::npos);
 }
 
 // language, rule 9: what `ahead` asks for is done, refused, or said to add nothing.
