@@ -21,7 +21,7 @@ robot Cart {
   hears    other robots       max_age 100 ms;
   output   drive    : twist;
   latency  20 ms;
-  energy   { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 120 s; detour <= 2 m; }
+  energy   { drive <= 0.5 %/m; idle <= 0.01 %/s; drain <= 0.2 %/s; charge >= 1 %/s at home; held <= 120 s; detour <= 4 m; }
 }
 
 fleet one, two : Cart;
@@ -93,7 +93,7 @@ TEST_F(Lasting, AnEnergyClauseThatReckonsWithLessIsNoticed) {
   prove(carts());
   for (const auto& [from, to, why] :
        {std::tuple("held <= 120 s", "held <= 9 s", "last longer than `held`"),
-        std::tuple("detour <= 2 m", "detour <= 10 cm", "drive further than `detour`"),
+        std::tuple("detour <= 4 m", "detour <= 10 cm", "drive further than `detour`"),
         std::tuple("inwards  : safe for Cart = retreat within yard speed 0.2",
                    "inwards  : safe for Cart = retreat within yard speed 0.02", "last longer"),
         std::tuple("accel <= 1 m/s^2", "accel <= 0.5 m/s^2", "it may drive further")}) {
@@ -212,8 +212,8 @@ TEST_F(Lasting, AnEndInSightTakesOneLeg) {
   prove(edited(edited(edited(carts(), "rectangle (0 m, 0 m) to (8 m, 8 m)",
                              "rectangle (0 m, 0 m) to (8 m, 8 m) | "
                              "rectangle (8 m, 0 m) to (12 m, 70 cm)"),
-                      "held <= 120 s", "held <= 600 s"),
-               "detour <= 2 m", "detour <= 11 m"));
+                      "held <= 120 s", "held <= 900 s"),
+               "detour <= 4 m", "detour <= 22 m"));
   ASSERT_FALSE(claims_of(report_, "lasts")[0]->contains("leg_mm"));
   const Outcome sought = with_leg([](std::int64_t) { return 5'000; });
   EXPECT_EQ(sought.status, exit_violation);
@@ -288,8 +288,8 @@ std::string aisles(const std::string& property) {
                                      "2 m) to (10 m, 4 m) - rectangle (4 m, 4.8 m) to (10 m, "
                                      "7 m)"),
                               "c inside yard;", property),
-                       "held <= 120 s", "held <= 90 s"),
-                "detour <= 2 m", "detour <= 12 m");
+                       "held <= 120 s", "held <= 180 s"),
+                "detour <= 4 m", "detour <= 24 m");
 }
 
 // The same with a wall and a rack that slant.
@@ -302,8 +302,8 @@ std::string slanting(const std::string& property) {
 std::string to_docks(const std::string& text) {
   return edited(edited(edited(edited(text, "retreat within", "route to home within"),
                               "site  home(two) = (3 m, 5 m)", "site  home(two) = (2 m, 7.5 m)"),
-                       "detour <= 12 m", "detour <= 25 m"),
-                "held <= 90 s", "held <= 150 s");
+                       "detour <= 24 m", "detour <= 50 m"),
+                "held <= 180 s", "held <= 300 s");
 }
 
 TEST_F(Lasting, TheLegsOfAWayAreCounted) {
