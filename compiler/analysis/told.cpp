@@ -42,7 +42,7 @@ class Search {
 
   Told run() {
     if (variables_.empty()) {
-      const Box none;
+      const Spans none;
       const bool is = truth(none, none, true) == from(value_);
       return {is ? CanBeTold::yes : CanBeTold::open, {}};
     }
@@ -57,18 +57,18 @@ class Search {
 
  private:
   Told search(bool stays) const {
-    Box all;
+    Spans all;
     for (const auto& [name, variable] : variables_) all[name] = variable.span;
-    std::vector<Box> left{std::move(all)};
+    std::vector<Spans> left{std::move(all)};
     bool open = false;
     const int most = boxes_most / (1 + static_cast<int>(variables_.size()));
     for (int looked = 0; !left.empty(); ++looked) {
       if (looked >= most) return {CanBeTold::open, {}};
-      const Box box = std::move(left.back());
+      const Spans box = std::move(left.back());
       left.pop_back();
       if (is_out(box, stays)) continue;
       for (const Rational& share : {Rational(1, 2), Rational(0), Rational(1)}) {
-        const Box point = point_of(box, share);
+        const Spans point = point_of(box, share);
         if (is_found(point)) return {CanBeTold::yes, inputs_of(point)};
       }
       if (!split(box, left)) open = true;
@@ -137,15 +137,15 @@ class Search {
 
   // Wherever in the box the property is not as it is asked to be. What is seen has to hold with
   // every error, so with the largest ones, too.
-  [[nodiscard]] bool is_out(const Box& box, bool stays) const {
+  [[nodiscard]] bool is_out(const Spans& box, bool stays) const {
     const Truth3 other = from(!value_);
-    const auto reads = [&](const Box& of) { return truth(of, stays ? of : ever_, stays); };
+    const auto reads = [&](const Spans& of) { return truth(of, stays ? of : ever_, stays); };
     if (reads(box) == other) return true;
     if (how_ == ToldHow::exactly) return false;
     for (const auto& [name, variable] : variables_) {
       if (sgn(variable.error) == 0) continue;
       for (const Rational& by : {variable.error, Rational(-variable.error)}) {
-        Box moved = box;
+        Spans moved = box;
         Span& span = moved[name];
         span = {Rational(span.lo + by), Rational(span.hi + by)};
         if (reads(moved) == other) return true;
@@ -153,8 +153,8 @@ class Search {
     }
     return false;
   }
-  [[nodiscard]] bool is_found(const Box& point) const {
-    Box seen = point;
+  [[nodiscard]] bool is_found(const Spans& point) const {
+    Spans seen = point;
     for (auto& [name, span] : seen) {
       const Variable& variable = variables_.at(name);
       const bool is_param = name.of == Name::Of::param;
@@ -178,10 +178,10 @@ class Search {
     return spec_[sema::InputId(name.index)].held || !is_read || sgn(age) == 0;
   }
   // Of several, that each of them is as it is asked to be.
-  [[nodiscard]] Truth3 truth(const Box& box, const Box& ever, bool stays) const {
+  [[nodiscard]] Truth3 truth(const Spans& box, const Spans& ever, bool stays) const {
     Truth3 found = from(value_);
     for (const Said& each : all_) {
-      const Box told = each.whatever ? without_sensed(box) : Box();
+      const Spans told = each.whatever ? without_sensed(box) : Spans();
       const Reader reader(spec_, variables_, each.whatever ? told : box, ever, stays);
       const Truth3 is = reader.truth(*each.property, each.suits);
       if (is == from(!value_)) return is;
@@ -190,13 +190,13 @@ class Search {
     return found;
   }
   // Whose ages nobody knows then.
-  static Box without_sensed(Box box) {
+  static Spans without_sensed(Spans box) {
     std::erase_if(box, [](const auto& each) { return each.first.of == Name::Of::sensed; });
     return box;
   }
   // On the grid, where it has one.
-  [[nodiscard]] Box point_of(const Box& box, const Rational& share) const {
-    Box point;
+  [[nodiscard]] Spans point_of(const Spans& box, const Rational& share) const {
+    Spans point;
     for (const auto& [name, span] : box) {
       const Rational at =
           on_grid(variables_.at(name), Rational(span.lo + share * (span.hi - span.lo)));
@@ -218,7 +218,7 @@ class Search {
     return span.hi > *counts ? Rational((span.hi - span.lo) / 2) : *counts;
   }
   // In two, across the side that is longest beside what it may be. false: it is one point.
-  bool split(const Box& box, std::vector<Box>& to) const {
+  bool split(const Spans& box, std::vector<Spans>& to) const {
     const Name* longest = nullptr;
     Rational most = 0;
     for (const auto& [name, span] : box) {
@@ -240,14 +240,14 @@ class Search {
     if (middle < span.lo) middle = span.lo;
     Rational next = middle + variable.step;  // nothing lies between two steps
     if (next > span.hi) next = span.hi;
-    Box low = box, high = box;
+    Spans low = box, high = box;
     low[*longest].hi = middle;
     high[*longest].lo = next;
     to.push_back(std::move(high));
     to.push_back(std::move(low));
     return true;
   }
-  [[nodiscard]] std::vector<ToldInput> inputs_of(const Box& point) const {
+  [[nodiscard]] std::vector<ToldInput> inputs_of(const Spans& point) const {
     std::vector<ToldInput> all;
     for (const auto& [name, span] : point) {
       const sema::InputId id{name.index};
@@ -261,7 +261,7 @@ class Search {
   const std::vector<Said> all_;
   bool value_;
   ToldHow how_;
-  Box ever_;  // whatever is measured
+  Spans ever_;  // whatever is measured
   bool looks_back_ = false;
   Variables variables_;
 };

@@ -67,7 +67,7 @@ struct Variable {
   std::optional<Rational> counts = std::nullopt;
 };
 using Variables = std::map<Name, Variable>;
-using Box = std::map<Name, Span>;
+using Spans = std::map<Name, Span>;
 
 template <class Node, class... Of>
 constexpr bool is_one_of = (std::is_same_v<Node, Of> || ...);
@@ -109,7 +109,7 @@ class Reader {
  public:
   // `stays`: inputs are what they are for ever, so that the past is as now; else they have been
   // anything in `ever`.
-  Reader(const sema::Spec& spec, const Variables& variables, const Box& box, const Box& ever,
+  Reader(const sema::Spec& spec, const Variables& variables, const Spans& box, const Spans& ever,
          bool stays)
       : spec_(spec), variables_(variables), box_(box), ever_(ever), stays_(stays) {}
 
@@ -398,8 +398,8 @@ class Reader {
 
   const sema::Spec& spec_;
   const Variables& variables_;
-  const Box& box_;
-  const Box& ever_;
+  const Spans& box_;
+  const Spans& ever_;
   bool stays_;
 };
 
