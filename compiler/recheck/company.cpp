@@ -8,6 +8,7 @@
 #include "compiler/recheck/claims.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/recheck/zones.h"
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
