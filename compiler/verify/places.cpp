@@ -259,6 +259,21 @@ bool are_windows_ever_gone(const Subject& s) {
   return sema::are_ever_gone(s.spec, said, ahead_us / 1'000'000 + 60);
 }
 
+// Why no place is looked for; "": it is.
+std::string no_place_known(const Subject& s) {
+  if (std::ranges::any_of(s.decision.monitors,
+                          [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
+    return "what zone will be received is not known, and so no place that it leaves free";
+  }
+  if (const std::string far = out_of_sight(s); !far.empty()) {
+    return quoted(far) + " asks for an agent to be farther away than is ever known";
+  }
+  if (!are_windows_ever_gone(s)) {
+    return "no moment was found at which all zones that come and go are gone";
+  }
+  return "";
+}
+
 Obligation returned_as_they_say(const Subject& s) {
   Obligation o;
   o.kind = Kind::joint_return;
@@ -272,23 +287,12 @@ Obligation returned_as_they_say(const Subject& s) {
     o.repair = flat ? room_that_works(s, zones) : "a wider zone is needed, or a smaller distance";
     return o;
   }
+  if (std::string why = no_place_known(s); !why.empty()) {
+    o.method = "no proof";
+    o.because = std::move(why);
+    return o;
+  }
   const auto& monitors = s.decision.monitors;
-  if (std::any_of(monitors.begin(), monitors.end(),
-                  [](const ir::Monitor& m) { return atoms_of(m.property).received; })) {
-    o.method = "no proof";
-    o.because = "what zone will be received is not known, and so no place that it leaves free";
-    return o;
-  }
-  if (const std::string far = out_of_sight(s); !far.empty()) {
-    o.method = "no proof";
-    o.because = quoted(far) + " asks for an agent to be farther away than is ever known";
-    return o;
-  }
-  if (!are_windows_ever_gone(s)) {
-    o.method = "no proof";
-    o.because = "no moment was found at which all zones that come and go are gone";
-    return o;
-  }
   std::vector<const ir::Monitor*> looking;
   for (std::size_t k = 0; k < monitors.size(); ++k) {
     if (!s.looks_at_places(k)) continue;

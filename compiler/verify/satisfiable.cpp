@@ -310,6 +310,22 @@ void claim_told(const Subject& s, std::size_t k, bool holds,
                        {"inputs", values_of(s, told)}}});
 }
 
+// Of a zone, at that place.
+void claim_seen(const Subject& s, const ir::Monitor& m, const Need& need, const Witness& at,
+                Obligation& o) {
+  const ir::ZoneTable& table = s.module[need.zone];
+  const std::string height = table.has_height() ? ", " + metres(at.z_mm) : "";
+  o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
+              metres(at.x_mm) + ", " + metres(at.y_mm) + height + ") is seen to be in " +
+              quoted(table.name) + ", whatever the errors";
+  Claim claim = place_claim(s, need.zone, at.x_mm, at.y_mm, need.clearance_mm);
+  claim.what = "seen";
+  claim.values.erase("extra_us");
+  claim.values["monitor"] = m.name;
+  if (table.has_height()) claim.values["z_mm"] = std::to_string(at.z_mm);
+  o.claims.push_back(std::move(claim));
+}
+
 }  // namespace
 
 Obligation can_hold(const Subject& s, std::size_t k) {
@@ -368,21 +384,9 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     }
   }
   for (const Need& need : needs) {
-    const ir::ZoneTable& table = s.module[need.zone];
-    const bool shared = common && std::ranges::any_of(together, [&](const Need& each) {
-                          return each.zone == need.zone;
-                        });
-    const Witness at = of_all ? *of_all : shared ? *common : alone(s, need);
-    const std::string height = table.has_height() ? ", " + metres(at.z_mm) : "";
-    o.because = std::string(s.decision.on_plan ? "a plan to (" : "a robot at rest at (") +
-                metres(at.x_mm) + ", " + metres(at.y_mm) + height + ") is seen to be in " +
-                quoted(table.name) + ", whatever the errors";
-    Claim claim = place_claim(s, need.zone, at.x_mm, at.y_mm, need.clearance_mm);
-    claim.what = "seen";
-    claim.values.erase("extra_us");
-    claim.values["monitor"] = m.name;
-    if (table.has_height()) claim.values["z_mm"] = std::to_string(at.z_mm);
-    o.claims.push_back(std::move(claim));
+    const bool shared =
+        common && std::ranges::find(together, need.zone, &Need::zone) != together.end();
+    claim_seen(s, m, need, of_all ? *of_all : shared ? *common : alone(s, need), o);
   }
   if (o.because.empty() && !s.decision.on_plan) {
     o.method = "closed form";
