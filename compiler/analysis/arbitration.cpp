@@ -436,11 +436,11 @@ class Pair {
     const auto least = ir::lower_bound(block, compare, decision_.facts.params);
     for (const ir::Recovery* step : ir::steps_of(recovery_)) {
       bool kept = true;
-      std::int64_t lands_mm = 0;
+      std::optional<std::int64_t> high_enough_mm;  // of a landing
       if (step->kind == ir::RecoveryKind::land) {
         const std::int64_t strays_mm = step->route_clearance_mm - decision_.body.radius_mm;
-        if (least) lands_mm = least->need.strictest + strays_mm;
-        kept = step->land_mm >= lands_mm;
+        if (least) high_enough_mm = least->need.strictest + strays_mm;
+        kept = !high_enough_mm || step->land_mm >= *high_enough_mm;
       } else if (step->claims && !module_[step->zone].has_height()) {
         kept = false;
       } else if (const auto zone = moves_within(*step)) {
@@ -452,8 +452,8 @@ class Pair {
       if (kept) continue;
       entry_.why = quoted(recovery_.name) + " may go beyond the height that " +
                    quoted(judged_.name) + " allows";
-      if (lands_mm > 0) {
-        offer_to_land(lands_mm);
+      if (high_enough_mm) {
+        offer_to_land(*high_enough_mm);
       } else {
         offer_to_stand();
       }

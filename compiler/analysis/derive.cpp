@@ -123,7 +123,7 @@ class Deriver {
     };
     check_well_formed(spec_, out_.module, out_.tables, {exact, solid}, lies_, trials(),
                       diagnostics_);
-    judge_return_conditions(spec_, out_.module, exact, solid);
+    judge_return_conditions(out_.module, exact, solid);
     check_recoveries(spec_, out_.module, exact, solid, lies_, trials(), remarks_, diagnostics_);
     if (finding == Finding::refuses && diagnostics_.has_errors()) return std::nullopt;
     // Whatever it says, the module can be built, and passes look at the rest.

@@ -9,7 +9,6 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/operands.h"
-#include "compiler/sema/templates.h"
 
 namespace rtac::analysis {
 namespace {
@@ -18,8 +17,8 @@ using How = ir::Returns::How;
 
 class Met {
  public:
-  Met(const sema::Spec& spec, const sema::Monitor& written, const ir::Module& module,
-      const ir::Decision& decision, std::size_t k, const ExactZone& exact, const ExactSolid& solid)
+  Met(const ir::Module& module, const ir::Decision& decision, std::size_t k, const ExactZone& exact,
+      const ExactSolid& solid)
       : module_(module),
         decision_(decision),
         monitor_(decision.monitors[k]),
@@ -27,7 +26,6 @@ class Met {
         drives_mmps_(fastest_while_driving(decision, k)),
         last_(ir::last_step(monitor_.recovery)),
         leads_(ir::moves(last_.kind) && last_.kind != ir::RecoveryKind::yield),
-        charges_(charges(spec, written)),
         exact_(exact),
         solid_(solid) {}
 
@@ -48,12 +46,6 @@ class Met {
     // with a limit of this speed, nothing of it were open
     std::optional<std::int64_t> shown_mmps{};
   };
-
-  static bool charges(const sema::Spec& spec, const sema::Monitor& written) {
-    const auto way = sema::route_of(spec[*written.recover]);
-    const auto& energy = spec[written.kind].energy;
-    return way && energy && energy->charge_at == way->site;
-  }
 
   Part of(const ir::Block& block, ir::ValueId id) {
     const ir::Op& op = block[id].op;
@@ -160,11 +152,11 @@ class Met {
     const auto found = [](bool holds) { return Part{holds ? How::itself : How::open}; };
     const auto& params = decision_.facts.params;
     if (const auto way = ir::charge_for_way(block, compare, params)) {
-      return found(charges_ && way->site == last_.site);
+      return found(last_.charges && way->site == last_.site);
     }
     const auto least = ir::lower_bound(block, compare, params);
     const auto most = ir::upper_bound(block, compare);
-    if (least && least->leaf.kind == ir::Leaf::Kind::battery) return found(charges_);
+    if (least && least->leaf.kind == ir::Leaf::Kind::battery) return found(last_.charges);
     if (least && least->leaf.kind == ir::Leaf::Kind::clearance && leads_) {
       return clear(ir::ZoneIndex{least->leaf.table}, least->need.strictest);
     }
@@ -268,7 +260,7 @@ class Met {
   const ir::Motion& motion_;
   const std::int64_t drives_mmps_;
   const ir::Recovery& last_;
-  const bool leads_, charges_;
+  const bool leads_;
   const ExactZone& exact_;
   const ExactSolid& solid_;
   bool lasts_ = false;   // what is asked of has to last, or was so earlier
@@ -278,16 +270,12 @@ class Met {
 
 }  // namespace
 
-void judge_return_conditions(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
-                             const ExactSolid& solid) {
-  for (std::size_t n = 0; n < module.decisions.size(); ++n) {
-    ir::Decision& decision = module.decisions[n];
-    const sema::Decision& from = spec.decisions[n];
+void judge_return_conditions(ir::Module& module, const ExactZone& exact, const ExactSolid& solid) {
+  for (ir::Decision& decision : module.decisions) {
     if (decision.on_plan) continue;
     for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
       if (!decision.monitors[k].return_when) continue;
-      decision.monitors[k].returns =
-          Met(spec, spec[from.priority[k]], module, decision, k, exact, solid).run();
+      decision.monitors[k].returns = Met(module, decision, k, exact, solid).run();
     }
   }
 }

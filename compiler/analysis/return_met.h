@@ -4,13 +4,11 @@
 
 #include "compiler/analysis/arbitration.h"
 #include "compiler/ir/module.h"
-#include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
 
 // Fills `returns` of every monitor of the decisions with a period. Before recoveries are
 // checked.
-void judge_return_conditions(const sema::Spec& spec, ir::Module& module, const ExactZone& exact,
-                             const ExactSolid& solid);
+void judge_return_conditions(ir::Module& module, const ExactZone& exact, const ExactSolid& solid);
 
 }  // namespace rtac::analysis

@@ -160,6 +160,14 @@ class SumOfOthers {
 
 }  // namespace
 
+Spot spot_of(const Claim& claim) {
+  const auto x = number(claim.values, "x_mm"), y = number(claim.values, "y_mm");
+  const auto z = number(claim.values, "z_mm");
+  Spot spot{{milli(x.value_or(0)), milli(y.value_or(0))}, std::nullopt, {}};
+  if (z) spot.z = milli(*z);
+  return spot;
+}
+
 std::optional<OfOthers> of_others(const sema::Expr& large, const sema::Expr& small,
                                   const sema::Spec& spec) {
   SumOfOthers sum(spec);

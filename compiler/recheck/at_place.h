@@ -19,6 +19,9 @@ struct Spot {
   std::set<std::string> zones{};  // in which it is said to lie
 };
 
+// What a claim says of where it is.
+Spot spot_of(const Claim& claim);
+
 // The large side of a comparison less the small one, as far as it speaks of others.
 struct OfOthers {
   std::map<sema::AgentId, Rational> agents;  // each times its number, as all of these

@@ -109,6 +109,10 @@ std::vector<sema::ZoneId> all_zones(const sema::Expr& property);
 // largest that holds wherever the property does, whatever they are.
 Rational gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
 Rational sure_gap_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId zone);
+// Whether its author says that it looks ahead less far, or at less, than it takes.
+inline bool is_unsound(const sema::Ahead& ahead) {
+  return ahead.duration_unsound || !ahead.unsound_reason.empty();
+}
 // Whether a property allows a height, with `gap` to spare of each of its limits.
 bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.

@@ -109,13 +109,6 @@ class JointReturn {
     all_at_once(named, height, alone);
   }
   static constexpr const char* too_dear = "no battery has enough for the ways from there";
-  static Spot spot_of(const Claim& c) {
-    const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
-    const auto z = number(c.values, "z_mm");
-    Spot spot{{milli(x.value_or(0)), milli(y.value_or(0))}, std::nullopt, {}};
-    if (z) spot.z = milli(*z);
-    return spot;
-  }
   // A full battery is enough for all ways that begin there and are asked charge for.
   bool is_charged(const Spot& spot, const std::set<std::string>& alone) {
     return std::ranges::all_of(d_.priority, [&](sema::MonitorId id) {

@@ -272,8 +272,7 @@ bool keeps_in(const sema::Spec& spec, Claims& claims, const sema::Expr& e, sema:
 bool stays_in(const sema::Spec& spec, const sema::Decision& d, Claims& claims, sema::ZoneId own) {
   return std::ranges::any_of(d.priority, [&](sema::MonitorId id) {
     const sema::Ahead& ahead = spec[id].ahead;
-    const bool looks =
-        !ahead.waypoints_only && !ahead.duration_unsound && ahead.unsound_reason.empty();
+    const bool looks = !ahead.waypoints_only && !is_unsound(ahead);
     const bool broken = !looks || std::ranges::any_of(d.acknowledgements, [&](const auto& a) {
       return a.monitor == id;
     });

@@ -185,7 +185,7 @@ class Check {
     for (const sema::MonitorId id : d.priority) {
       const sema::Monitor& m = spec_[id];
       if (m.name != e.monitor) continue;
-      const bool unsound = m.ahead.duration_unsound || !m.ahead.unsound_reason.empty();
+      const bool unsound = is_unsound(m.ahead);
       if (e.kind == "P1a" || e.kind == "P3") return unsound;
       if (e.kind == "P2a" && unsound) return true;
       if (e.kind == "P2b" && m.hold_reason) return true;
@@ -259,10 +259,7 @@ class Check {
     std::vector<Spot> spots;
     for (const Claim& c : e.claims) {
       if (c.what != "seen" || text(c.values, "decision") != d.name) continue;
-      if (spots.empty()) spots.emplace_back();
-      const auto x = number(c.values, "x_mm"), y = number(c.values, "y_mm");
-      spots[0].at = {milli(x.value_or(0)), milli(y.value_or(0))};
-      if (const auto z = number(c.values, "z_mm")) spots[0].z = milli(*z);
+      if (spots.empty()) spots.push_back(spot_of(c));
       spots[0].zones.insert(text(c.values, "zone"));
     }
     AtPlace there(spec_, d, claims_);
@@ -413,10 +410,7 @@ class Check {
   // nearer than 2 cm or the position error, and there a robot is held off as far as it sways.
   void charged(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
                const sema::Monitor& m) {
-    const sema::RobotKind& kind = spec_[d.kind];
-    const auto way = sema::route_of(recovery);
-    if (!way || !kind.energy || kind.energy->charge_at != way->site) return;
-    if (!sema::speaks_of_charge(*m.always)) return;
+    if (!ends_charged(spec_, d, recovery) || !sema::speaks_of_charge(*m.always)) return;
     const Numbers n = numbers_of(spec_, d, jitter_of(spec_, d));
     const Rational off = n.sway + std::max(Rational(n.position_error), Rational(2, 100));
     if (off > Rational(15, 100)) {
@@ -439,7 +433,7 @@ class Check {
            Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
   }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
-    if (m.ahead.duration_unsound || !m.ahead.unsound_reason.empty()) {
+    if (is_unsound(m.ahead)) {
       fail(whom(d, e) + ": its look-ahead is declared unsound");
     }
     need(d, e, "limits");

@@ -5,6 +5,7 @@
 
 #include "compiler/interp/number.h"
 #include "compiler/recheck/at_place.h"
+#include "compiler/recheck/company.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/templates.h"
@@ -215,12 +216,7 @@ class Condition {
   }
   // Where charge is taken up, it is taken up until it is enough; that there is enough for the way
   // home besides is for errors to say (5007).
-  [[nodiscard]] bool charges() const {
-    if (at_) return true;
-    const auto way = sema::route_of(recovery_);
-    const auto& energy = spec_[monitor_.kind].energy;
-    return way && energy && energy->charge_at == way->site;
-  }
+  [[nodiscard]] bool charges() const { return at_ || ends_charged(spec_, decision_, recovery_); }
   bool height() {
     if (at_) {
       const Rational errs = seen(0) - numbers_.radius;

@@ -8,19 +8,12 @@ namespace {
 class Ages : public OfToldInputs {
  protected:
   static std::string page(const std::string& property, const std::string& more = "") {
-    return R"(spec ages;
-zone hall = rectangle (0 m, 0 m) to (6 m, 5 m);
-input permit : bool max_age 2 s;
+    return of_a_rover(R"(input permit : bool max_age 2 s;
 input held   : bool max_age inf;
 input every  : bool;
-)" + a_rover +
-           R"(controller back : safe for Rover = retreat within hall speed 0.3 m/s;
-monitor fence for r : Rover { "R1" always )" +
-           property + "; recover back; " + more + R"( }
-decision go for Rover { advanced drive; period 50 ms; priority fence; }
-)";
+)",
+                      property, more);
   }
-  static std::string in(const std::string& property) { return "r inside hall and " + property; }
   static std::string returning(const std::string& property, const std::string& when) {
     return page(property, "return when " + when + ";");
   }

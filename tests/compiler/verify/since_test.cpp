@@ -7,21 +7,13 @@ namespace {
 
 class OfThePast : public OfToldInputs {
  protected:
-  // Of a robot in a hall.
   static std::string page(const std::string& property, const std::string& more = "") {
-    return R"(spec past;
-zone hall = rectangle (0 m, 0 m) to (6 m, 5 m);
-input open, locked, shut, bell : bool max_age 1 s;
+    return of_a_rover(R"(input open, locked, shut, bell : bool max_age 1 s;
 input x : real in 0 .. 9 max_age 1 s;
 input p, q : point in 0 .. 9 m max_age 1 s;
-)" + a_rover +
-           R"(controller back : safe for Rover = retreat within hall speed 0.3 m/s;
-monitor fence for r : Rover { "R1" always )" +
-           property + "; recover back; " + more + R"( }
-decision go for Rover { advanced drive; period 50 ms; priority fence; }
-)";
+)",
+                      property, more);
   }
-  static std::string in(const std::string& property) { return "r inside hall and " + property; }
   static std::string returning(const std::string& when) {
     return page("r inside hall", "return when " + when + ";");
   }

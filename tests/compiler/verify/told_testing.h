@@ -14,6 +14,17 @@ namespace rtac::driver::test {
 
 class OfToldInputs : public Verify {
  protected:
+  // Of a robot in a hall, with inputs; what may have the monitor let go is in `more`.
+  static std::string of_a_rover(const std::string& inputs, const std::string& property,
+                                const std::string& more) {
+    return "spec told;\nzone hall = rectangle (0 m, 0 m) to (6 m, 5 m);\n" + inputs + a_rover +
+           R"(controller back : safe for Rover = retreat within hall speed 0.3 m/s;
+monitor fence for r : Rover { "R1" always )" +
+           property + "; recover back; " + more + R"( }
+decision go for Rover { advanced drive; period 50 ms; priority fence; }
+)";
+  }
+  static std::string in(const std::string& property) { return "r inside hall and " + property; }
   // Of a page, whose first monitor is judged, with what it says or else asks for to return.
   static std::unique_ptr<Compilation> checked(const std::string& text) {
     write("spec.rta", text);
