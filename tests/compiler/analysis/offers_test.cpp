@@ -338,5 +338,37 @@ decision drive for Mower { advanced mow; period 100 ms; priority fence; }
   EXPECT_TRUE(wider->diagnostics.all().empty()) << by << reports(*wider);
 }
 
+// A landing on something low is offered so high that it keeps a floor, and breaks no ceiling.
+TEST(Offers, ALandingIsSoHighThatItKeepsAFloor) {
+  const auto page = [](const std::string& height, const std::string& limit) {
+    return R"(spec lands;
+input link : bool max_age 1 s;
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller down : safe for Quad = land to )" +
+           height + R"( speed 0.5 m/s;
+controller stay : safe for Quad = brake_and_hold;
+monitor radio for r : Quad { "R1" always link; recover down; }
+monitor limit for r : Quad { "R2" always r.position.z )" +
+           limit + R"(; recover stay; hold when violated "a pilot"; }
+decision fly for Quad { advanced policy; period 50 ms; priority radio > limit; }
+)";
+  };
+  const auto low = compiled(page("1 m", ">= 5 m"));
+  ASSERT_TRUE(has(*low, diag::Code::recovery_breaks)) << reports(*low);
+  EXPECT_NE(reports(*low).find("`land to 5.83 m` works"), std::string::npos) << reports(*low);
+  EXPECT_TRUE(compiled(page("5.83 m", ">= 5 m"))->diagnostics.all().empty());
+  EXPECT_TRUE(has(*compiled(page("5.53 m", ">= 5 m")), diag::Code::recovery_breaks));
+  EXPECT_TRUE(compiled(page("-1 m", "<= 10 m"))->diagnostics.all().empty());
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test
