@@ -82,7 +82,7 @@ class Deriver {
     if (!found.complete) return found;
     found.effort = 0;
     found.effort_of_shown = 2 * plain + effort_of_pairs(derived->module);
-    found.all.merge(judge(spec, std::move(*derived), aside));
+    found.all.merge(judge(spec, std::move(*derived), aside, false));
     found.effort_of_shown += effort_of_looks(geometry::looks() - before);
     return found;
   }
@@ -154,7 +154,7 @@ class Deriver {
     diag::Engine aside;
     auto derived = Deriver(spec_, sources_, aside, {}, false).run(Finding::is_told);
     found.waits = !derived || waits(derived->module.decisions[n]);
-    if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside);
+    if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside, true);
     decision.priority = order;
     kind.energy = energy;
     spec_.controllers = controllers;

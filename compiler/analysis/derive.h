@@ -23,9 +23,10 @@ struct Derived {
 // What becomes of a module that could be built and is not well formed. One that is played, as who
 // has recorded a run of it asks, is told of as if it were refused.
 enum class Finding { refuses, is_told, is_played };
-// Of what could be built, with its reports: what is not shown of it.
+// Of what could be built, with its reports: what is not shown of it; where asked, which takes
+// seconds, that recoveries take turns for ever as well.
 using Judge = std::function<std::set<Fault>(const sema::Spec& spec, Derived derived,
-                                            const diag::Engine& diagnostics)>;
+                                            const diag::Engine& diagnostics, bool turns)>;
 // `spec` is left as it is; in between, numbers and orders that reports offer are tried in it.
 // nullopt when an error was reported, unless it is about arbitration (6005); otherwise not of one
 // that says that it is not well formed either. With a `judge` no order is offered with which less

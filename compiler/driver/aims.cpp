@@ -83,6 +83,15 @@ Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
   return there;
 }
 
+Scenario aimed_at_turns() {
+  constexpr int begins_s = 30;
+  Scenario turns = Scenario::object();
+  turns["runs"] = 12;  // as many as there are adversaries
+  turns["return_within_s"] = turns_last_s;
+  turns["duration_s"] = turns_last_s + begins_s;
+  return turns;
+}
+
 // Robots that hold beside each other, measured as they are, unless it takes errors: who waits for
 // whom is all there is to it.
 Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
@@ -110,8 +119,10 @@ bool about_return(const Obligation& o) {
 std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
                                const std::string& charge) {
   if (o.in_turns) {
-    if (charge.empty()) return {};
-    return {aimed_at_charge(charge, 20, 3600)};
+    std::vector<Scenario> all;
+    if (!o.in_turns->modes.empty()) all.push_back(aimed_at_turns());
+    if (!charge.empty()) all.push_back(aimed_at_charge(charge, 20, 3600));
+    return all;
   }
   // with each of the adversaries
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};

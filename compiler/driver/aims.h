@@ -12,6 +12,9 @@ namespace rtac::driver {
 // What `rtac-sim` reads (docs/simulation.md, scenarios).
 using Scenario = nlohmann::ordered_json;
 
+// Recoveries that take over from each other do so for longer than most ways out take.
+constexpr int turns_last_s = 300;
+
 // The likeliest first. `robots`: of the decision, by name; `charge`: the monitor of it that speaks
 // of charge, "" if none does.
 std::vector<Scenario> aimed_at(const verify::Obligation& o, const std::vector<std::string>& robots,

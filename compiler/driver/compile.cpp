@@ -11,6 +11,7 @@
 #include "compiler/codegen/mutate.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
+#include "compiler/driver/model_checker.h"
 #include "compiler/ir/printer.h"
 #include "compiler/ir/verifier.h"
 #include "compiler/passes/pipeline.h"
@@ -38,8 +39,9 @@ void run_passes(const Options& options, std::ostream& out, Compilation& c) {
 
 // As `rtac verify` will, of a specification that is tried.
 std::set<analysis::Fault> judge(const sema::Spec& spec, const analysis::Derived& derived,
-                                const diag::Engine& diagnostics) {
-  return verify::open_obligations(spec, derived.module, derived.tables, diagnostics.all());
+                                const diag::Engine& diagnostics, bool turns) {
+  return verify::open_obligations(spec, derived.module, derived.tables, diagnostics.all(),
+                                  turns ? check_model : protocol::CheckModel());
 }
 
 // What is imported has no `spec` line, and must not get one: it is read with what imports it.

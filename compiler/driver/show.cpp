@@ -12,6 +12,7 @@
 #include "compiler/driver/aims.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
+#include "compiler/driver/in_turns.h"
 #include "compiler/driver/lock_up.h"
 #include "compiler/driver/process.h"
 #include "compiler/sema/visit.h"
@@ -104,7 +105,7 @@ class Showing {
       if ((*c_.spec)[r.kind].name == d.kind) robots.push_back(r.name);
     }
     if (robots.empty()) return;
-    Sought sought{&o, aimed_at(o, robots, charge_of(d, o.in_turns))};
+    Sought sought{&o, aimed_at(o, robots, charge_of(d, o.in_turns.has_value()))};
     for (Scenario& scenario : sought.scenarios) blame(d, o, scenario);
     all_.push_back(std::move(sought));
   }
@@ -176,11 +177,18 @@ class Showing {
     if (!c_.internal_error.empty()) return c_.internal_error;
     return c_.diagnostics.all().empty() ? "" : c_.diagnostics.all().back().message;
   }
-  // Of robots that wait for each other, only what nobody else has a part in.
-  static bool shows(const std::string& trace, const Scenario& scenario, const Obligation& o) {
-    if (!o.lock_up) return true;
+  // Of robots that wait for each other, only what nobody else has a part in; of recoveries that
+  // take over from each other, only what they have done so often that it goes on.
+  static bool shows(const std::string& trace, const Scenario& scenario, Obligation& o) {
+    constexpr int often = 10;
+    const bool of_turns = o.in_turns && scenario.contains("return_within_s");
+    if (!o.lock_up && !of_turns) return true;
     const auto run = read_file(trace);
-    return run && locks_up(*run, scenario["starts"].size(), *o.lock_up);
+    if (!of_turns) return run && locks_up(*run, scenario["starts"].size(), *o.lock_up);
+    const int taken = run ? turns_taken(*run, o.in_turns->modes) : 0;
+    if (taken < often) return false;
+    o.in_turns->seen = taken;
+    return true;
   }
   // How many runs of a scenario are played with a recorded one; none: all are, or nobody can tell.
   static std::optional<std::uint64_t> played_up_to(const std::string& trace,
@@ -303,7 +311,11 @@ void show(const Options& options, Simulator& simulator, Compilation& c, verify::
       o.claims.clear();
       const std::string run = std::string(o.trace.empty() ? "" : "recorded ") + "run";
       if (o.in_turns) {
-        o.because += ", and so do they in a " + run + ", until a property fails";
+        o.because += ", and so do they in a " + run + ", ";
+        o.because += o.in_turns->seen == 0 ? "until a property fails"
+                                           : std::to_string(o.in_turns->seen) +
+                                                 " times, while control is not given back for " +
+                                                 std::to_string(turns_last_s) + " s";
       } else {
         o.because += "; in a " + run + " they keep it waiting until `" + o.monitor + "` fails";
       }

@@ -40,6 +40,7 @@ constexpr Construct kTemplates[] = {
     {T::YIELD, "yield within free speed 0.1 m/s order id"},
     {T::KEEPS, "extern keeps inside free speed <= 0.1 m/s"},
     {T::LOITER, "loiter within free speed 0.1 m/s"},
+    {T::LAND, "land to 0 m speed 0.5 m/s"},
     {T::SEQUENCE, "sequence brake_and_hold for 2 s then retreat within free speed 0.1 m/s"},
 };
 

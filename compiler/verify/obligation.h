@@ -60,6 +60,13 @@ struct LockUp {
   bool errors_last = false;    // what they measure has to be off, and to stay so
 };
 
+// Recoveries that take over from each other for ever in a run of the model, or as long as inputs
+// ask for one, if not of a robot. A run shows it by who drives, where others have no part in it.
+struct Turns {
+  std::vector<int> modes{};  // the k-th monitor's recovery as k + 1; none: who drives shows nothing
+  int seen = 0;  // how often one has taken over from another one, in a run that shows it
+};
+
 // A `return when` that a monitor might have: so far from the boundary of each of these zones, by
 // name.
 struct LaterReturn {
@@ -109,9 +116,7 @@ struct Obligation {
   std::int64_t micros = 0;     // how long it took
   std::string not_shown{};     // of what is refuted: why there is no run
   std::string not_recorded{};  // of what a run shows: why there is no `trace`
-  // Of `switching`, unknown: recoveries take over from each other for ever in a run of the model,
-  // if not of a robot.
-  bool in_turns = false;
+  std::optional<Turns> in_turns{};  // of `switching`, unknown
   // Which of these may mend what is open; nothing is claimed of them.
   std::vector<Mend> mends{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken; and
@@ -134,7 +139,8 @@ struct Obligation {
   // Of `keeps`, refuted: inputs that stay as they are, or agents that stay where they are, have the
   // recovery drive until the charge is gone.
   bool unending = false;
-  // Of `keeps`: the monitor that the recovery drives for, if it is one of inputs alone.
+  // Of `keeps`, and of turns: the monitor that the recovery drives for, if it is one of inputs
+  // alone.
   std::string unmet{};
   // Of `keeps`, where it depends on that: the monitors that the recovery drives for.
   std::vector<std::string> engaged{};

@@ -542,13 +542,14 @@ Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableM
 
 std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Module& module,
                                            const ir::TableMap& tables,
-                                           const std::vector<diag::Diagnostic>& found) {
+                                           const std::vector<diag::Diagnostic>& found,
+                                           const protocol::CheckModel& check) {
   std::set<analysis::Fault> all;
-  const Report report = obligations_of(spec, &module, tables, found, {}, false);
+  const Report report = obligations_of(spec, &module, tables, found, check, false);
   for (std::size_t n = 0; n < report.decisions.size(); ++n) {
     for (const Obligation& o : report.decisions[n].obligations) {
       const bool open = o.status == Status::unknown || o.status == Status::refuted;
-      if (!open || o.kind == Kind::switching) continue;
+      if (!open || (o.kind == Kind::switching && !o.in_turns)) continue;
       const auto m = std::ranges::find(spec.monitors, o.monitor, &sema::Monitor::name);
       const SourceRange at = m != spec.monitors.end() ? m->range : spec.decisions[n].name_range;
       all.insert({{}, at.file, at.begin, std::string(name(o.kind)) + " " + o.recovery});

@@ -21,11 +21,12 @@ namespace rtac::verify {
 Report verify(const sema::Spec& spec, const ir::Module* module, const ir::TableMap& tables,
               const std::vector<diag::Diagnostic>& found, const protocol::CheckModel& check);
 
-// What is neither shown nor accepted of a specification that is tried, but for its switching, of
-// which runs of a model are asked.
+// What is neither shown nor accepted of a specification that is tried; of its switching only that
+// recoveries take turns for ever, where `check` is there to find that.
 std::set<analysis::Fault> open_obligations(const sema::Spec& spec, const ir::Module& module,
                                            const ir::TableMap& tables,
-                                           const std::vector<diag::Diagnostic>& found);
+                                           const std::vector<diag::Diagnostic>& found,
+                                           const protocol::CheckModel& check);
 
 // 5020: the monitors whose recovery leads to a place where they do not let go, by what they ask for
 // beside being clear of a boundary: P2b is refuted there, by geometry alone. Of a module without

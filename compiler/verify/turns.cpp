@@ -229,11 +229,38 @@ bool by_inputs(const ir::Block& block, ir::ValueId id, bool value) {
   return value ? of(either->a) || of(either->b) : of(either->a) && of(either->b);
 }
 
+// Of what these recoveries drive for nothing is about other robots or agents, who may have them
+// drive whatever they do.
+bool are_left_alone(const ir::Decision& d, const std::set<std::string>& names) {
+  return std::ranges::none_of(d.monitors, [&](const ir::Monitor& m) {
+    return names.contains(m.recovery.name) &&
+           (judges_others(m.property) || atoms_of(m.property).agent ||
+            (m.return_when && judges_others(*m.return_when)));
+  });
+}
+// The first monitor of inputs alone that has one of these drive; "": there is none.
+std::string asked_by_inputs(const ir::Decision& d, const std::set<std::string>& names) {
+  const auto m = std::ranges::find_if(d.monitors, [&](const ir::Monitor& each) {
+    return names.contains(each.recovery.name) && atoms_of(each.property).only_facts();
+  });
+  return m == d.monitors.end() ? "" : m->name;
+}
+Turns turns_among(const ir::Decision& d, const std::set<std::string>& names) {
+  Turns turns;
+  if (names.size() < 2 || !are_left_alone(d, names)) return turns;
+  for (std::size_t k = 0; k < d.monitors.size(); ++k) {
+    if (!names.contains(d.monitors[k].recovery.name)) continue;
+    turns.modes.push_back(static_cast<int>(k) + 1);
+  }
+  return turns;
+}
+
 // While inputs ask for a recovery that leads out of what another monitor says, that one takes over,
 // leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
 // to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
 struct WhileTold {
-  std::string why, repair;  // of the first pair; of all, where one is enough
+  std::string why, repair;        // of the first pair; of all, where one is enough
+  std::set<std::string> drive{};  // of the first pair
 };
 WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix,
                            const protocol::Arbitration& known) {
@@ -254,14 +281,18 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
       const ir::RecoveryKind back = ir::last_step(monitors[j].recovery).kind;
       const bool stands = back == ir::RecoveryKind::brake || !monitors[j].hold_reason.empty();
       if (stands) continue;
-      if (!found.why.empty()) return {found.why, ""};
+      if (!found.why.empty()) {
+        found.repair.clear();
+        return found;
+      }
       const std::string& why = matrix[i][j].why;
       found = {"as long as inputs ask for " + quoted(asked.name) + ", it and " +
                    quoted(monitors[j].recovery.name) + " may take over from each other: " +
                    (why.empty()
                         ? quoted(asked.name) + " is not shown to keep " + quoted(monitors[j].name)
                         : why),
-               matrix[i][j].help};
+               matrix[i][j].help,
+               {asked.name, monitors[j].recovery.name}};
     }
   }
   return found;
@@ -289,7 +320,8 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
   }
   o.because = "`" + answer.claim + "` is not shown";
   if (answer.drivers.empty()) return o;
-  o.in_turns = true;
+  o.in_turns = turns_among(s.decision, answer.drivers);
+  o.unmet = asked_by_inputs(s.decision, answer.drivers);
   std::string names;
   for (const std::string& name : answer.drivers)
     names += (names.empty() ? "" : ", ") + quoted(name);
@@ -468,6 +500,8 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   if (WhileTold told = turns_while_told(s, matrix, known); !told.why.empty()) {
     o.because = std::move(told.why);
     o.repair = std::move(told.repair);
+    o.in_turns = turns_among(s.decision, told.drive);
+    o.unmet = asked_by_inputs(s.decision, told.drive);
     return o;
   }
   o.status = reasons.empty() ? Status::proved : Status::acknowledged;

@@ -1,0 +1,65 @@
+// Recoveries that take over from each other for ever: a run shows it, and no order is offered with
+// which they would.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Turns : public Verify {
+ protected:
+  static std::string page() { return read(refuted_folder() + "up_and_down.rta"); }
+  static std::string in_order(const std::string& order) {
+    return edited(page(), "fence > weather", order);
+  }
+  static Json obligation(const Outcome& o, const std::string& kind) {
+    const Json report = Json::parse(o.out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == kind && each["status"] != "proved") return each;
+    }
+    return Json::object();
+  }
+};
+
+TEST_F(Turns, AreShownByWhoDrives) {
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  const Json shown = obligation(verified(page(), {"--format", "json"}), "switching");
+  EXPECT_EQ(shown["status"], "refuted");
+  const std::string because = shown["because"];
+  EXPECT_NE(because.find("`back`, `down` take over from each other for ever"), std::string::npos);
+  EXPECT_NE(because.find(" times, while control is not given back for 300 s"), std::string::npos);
+  const Outcome again = rtac({"sim", "spec.rta", "--replay", shown.value("trace", "")});
+  EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+  EXPECT_NE(again.out.find("not given back: one "), std::string::npos) << again.out;
+}
+// The model alone does not refute it.
+TEST_F(Turns, WithoutARunAreUnknown) {
+  const Outcome o = verified(page(), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_inconclusive);
+  EXPECT_EQ(obligation(o, "switching")["status"], "unknown") << o.out;
+}
+// `fence > weather` has no error, but its recoveries take turns.
+TEST_F(Turns, OfAnOrderAreLookedAtBeforeItIsOffered) {
+  const Outcome o = verified(in_order("weather > fence"), {"--format", "json"});
+  EXPECT_EQ(o.status, exit_violation);
+  const std::string repair = obligation(o, "C")["repair"];
+  EXPECT_EQ(repair.find("priority"), std::string::npos) << repair;
+  const std::string before = "`land to ";
+  ASSERT_EQ(repair.find(before), 0) << repair;
+  const std::string metres = repair.substr(before.size(), repair.find(" m`") - before.size());
+  for (const char* const order : {"weather > fence", "fence > weather"}) {
+    const Outcome works =
+        verified(edited(in_order(order), "land to 0 m", "land to " + metres + " m"));
+    EXPECT_EQ(works.status, exit_clean) << works.out << works.err;
+  }
+}
+// Where they take none it is.
+TEST_F(Turns, AnOrderWithoutThemIsOffered) {
+  const std::string limit = edited(edited(in_order("weather > fence"), "always not storm",
+                                          "always not storm or d.speed <= 1 m/s"),
+                                   "return when not storm for 30 s", "return when not storm");
+  const Outcome o = verified(limit, {"--format", "json"});
+  EXPECT_EQ(o.out, "") << o.err;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
