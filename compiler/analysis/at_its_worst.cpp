@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -26,6 +27,12 @@ std::int64_t clearance_mm(const ir::ZoneTable& zone, std::int64_t x_mm, std::int
   return inside ? mm : -mm - 2;
 }
 
+// A limit of speed that is none to who sets out from rest.
+bool allows_rest(const ir::Block& block, const ir::AtLeast& compare, std::int64_t rest_mmps) {
+  const auto most = ir::upper_bound(block, compare);
+  return most && most->leaf.kind == ir::Leaf::Kind::speed && rest_mmps <= most->most;
+}
+
 class AtItsWorst {
  public:
   AtItsWorst(const ir::Module& module, const ir::Decision& decision, const ir::Monitor& monitor,
@@ -34,42 +41,47 @@ class AtItsWorst {
         decision_(decision),
         property_(monitor.property),
         way_(monitor.recovery),
-        clearance_mm_(clearance_mm) {}
+        clearance_mm_(clearance_mm),
+        rest_mmps_(fastest_from_rest(decision, monitor.lookahead.duration_us)) {}
 
   [[nodiscard]] bool allows(std::int64_t x_mm, std::int64_t y_mm) const {
-    return allows(property_.result, x_mm, y_mm);
+    return allows(property_.result, x_mm, y_mm, false);
   }
 
  private:
-  [[nodiscard]] bool allows(ir::ValueId id, std::int64_t x_mm, std::int64_t y_mm) const {
+  // Beside a zone, in one side of an `or`, what is no zone need not be so then.
+  [[nodiscard]] bool allows(ir::ValueId id, std::int64_t x_mm, std::int64_t y_mm,
+                            bool of_choice) const {
     const ir::Op& op = property_[id].op;
     if (std::holds_alternative<ir::ZoneThere>(op)) return false;
     if (const auto* v = std::get_if<ir::Not>(&op)) {
-      return !std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
+      return !of_choice && !std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
     }
     if (const auto* v = std::get_if<ir::And>(&op)) {
-      return allows(v->a, x_mm, y_mm) && allows(v->b, x_mm, y_mm);
+      return allows(v->a, x_mm, y_mm, of_choice) && allows(v->b, x_mm, y_mm, of_choice);
     }
     if (const auto* v = std::get_if<ir::Or>(&op)) {
-      return allows(v->a, x_mm, y_mm) || allows(v->b, x_mm, y_mm);
+      return allows(v->a, x_mm, y_mm, true) || allows(v->b, x_mm, y_mm, true);
     }
     if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
       const auto bound = ir::lower_bound(property_, *v, decision_.facts.params);
-      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) return true;
+      if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) {
+        return !of_choice || allows_rest(property_, *v, rest_mmps_);
+      }
       const ir::ZoneIndex zone{bound->leaf.table};
       const std::int64_t own_mm = std::max<std::int64_t>(bound->need.strictest, 0);
       const std::int64_t beside_mm =
           ir::leave_beside_mm(way_, zone, decision_.body.radius_mm + own_mm);
       return clearance_mm(module_[zone], x_mm, y_mm) >= clearance_mm_ + own_mm + beside_mm;
     }
-    return true;
+    return !of_choice;
   }
 
   const ir::Module& module_;
   const ir::Decision& decision_;
   const ir::Block& property_;
   const ir::Recovery& way_;
-  std::int64_t clearance_mm_;
+  std::int64_t clearance_mm_, rest_mmps_;
 };
 
 class AllowedAtWorst {
@@ -77,23 +89,30 @@ class AllowedAtWorst {
   AllowedAtWorst(const ir::Decision& decision, const ir::Block& property, const ExactZone& exact)
       : decision_(decision), property_(property), exact_(exact) {}
 
-  [[nodiscard]] geometry::Region region() const { return region(property_.result); }
+  [[nodiscard]] geometry::Region region() const { return region(property_.result, false); }
 
  private:
-  [[nodiscard]] geometry::Region region(ir::ValueId id) const {
+  [[nodiscard]] geometry::Region region(ir::ValueId id, bool of_choice) const {
+    const auto otherwise = [&](bool holds) {
+      return holds ? geometry::Region::everywhere() : geometry::Region();
+    };
     const ir::Op& op = property_[id].op;
     if (std::holds_alternative<ir::ZoneThere>(op)) return {};
     if (const auto* v = std::get_if<ir::Not>(&op)) {
       const bool there = std::holds_alternative<ir::ZoneThere>(property_[v->a].op);
-      return there ? geometry::Region() : geometry::Region::everywhere();
+      return otherwise(!there && !of_choice);
     }
-    if (const auto* v = std::get_if<ir::And>(&op)) return region(v->a).intersect(region(v->b));
-    if (const auto* v = std::get_if<ir::Or>(&op)) return region(v->a).unite(region(v->b));
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return region(v->a, of_choice).intersect(region(v->b, of_choice));
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return region(v->a, true).unite(region(v->b, true));
+    }
     const auto* compare = std::get_if<ir::AtLeast>(&op);
     const auto bound =
         compare ? ir::lower_bound(property_, *compare, decision_.facts.params) : std::nullopt;
     if (!bound || bound->leaf.kind != ir::Leaf::Kind::clearance) {
-      return geometry::Region::everywhere();
+      return otherwise(!of_choice);
     }
     return exact_(ir::ZoneIndex(bound->leaf.table));
   }

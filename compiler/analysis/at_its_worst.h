@@ -12,7 +12,8 @@
 namespace rtac::analysis {
 
 // Whether a robot may stay at a place, `clearance_mm` beyond what the property of the monitor asks
-// for; what does not depend on the place is taken to hold.
+// for; what does not depend on the place is taken to hold, but for a side of an `or`, unless that
+// is a limit of speed which allows to set out from rest.
 bool allowed_at_worst(const ir::Module& module, const ir::Decision& decision,
                       const ir::Monitor& monitor, std::int64_t clearance_mm, std::int64_t x_mm,
                       std::int64_t y_mm);

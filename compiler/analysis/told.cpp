@@ -19,6 +19,7 @@ struct Said {
   const sema::Expr* property;
   bool suits;             // what anything is that robots sense
   bool whatever = false;  // however old that is
+  std::optional<SeenAtRest> at_rest{};
 };
 
 // The kind of robot of whose monitor it is a part.
@@ -182,7 +183,8 @@ class Search {
     Truth3 found = from(value_);
     for (const Said& each : all_) {
       const Spans told = each.whatever ? without_sensed(box) : Spans();
-      const Reader reader(spec_, variables_, each.whatever ? told : box, ever, stays);
+      const SeenAtRest* const rest = each.at_rest ? &*each.at_rest : nullptr;
+      const Reader reader(spec_, variables_, each.whatever ? told : box, ever, stays, rest);
       const Truth3 is = reader.truth(*each.property, each.suits);
       if (is == from(!value_)) return is;
       if (is == Truth3::open) found = is;
@@ -268,13 +270,14 @@ class Search {
 
 }  // namespace
 
-Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how) {
-  return Search(spec, {{&property, value, false}}, value, how).run();
+Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how,
+                const std::optional<SeenAtRest>& at_rest) {
+  return Search(spec, {{&property, value, false, at_rest}}, value, how).run();
 }
-Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+Told told_at_once(const sema::Spec& spec, const std::vector<ToHold>& all,
                   const std::vector<const sema::Expr*>& whatever_is_sensed) {
   std::vector<Said> asked;
-  for (const sema::Expr* each : all) asked.push_back({each, true, false});
+  for (const ToHold& each : all) asked.push_back({each.property, true, false, each.at_rest});
   for (const sema::Expr* each : whatever_is_sensed) asked.push_back({each, false, true});
   return Search(spec, std::move(asked), true, ToldHow::seen).run();
 }
@@ -320,34 +323,12 @@ std::string told_text(const sema::Spec& spec, const std::vector<ToldInput>& inpu
 
 namespace {
 
-// Of what is said besides robots: inputs, and how old is what a robot senses.
-std::set<Name> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
-  std::set<Name> all;
-  for (const sema::InputId id : inputs_in(spec, e)) all.insert(age_of(id));
-  sema::for_each_expr(e, [&](const sema::Expr& part) {
-    if (const auto* v = std::get_if<sema::SensedAge>(&part.node)) all.insert(age_of(v->signal));
-  });
-  return all;
-}
-bool is_said_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
-                  const Name& name) {
-  int times = 0;
-  for (const sema::Expr* each : all) {
-    sema::for_each_expr(*each, [&](const sema::Expr& part) {
-      bool has_operands = false;
-      sema::for_each_operand(part, [&](const auto&) { has_operands = true; });
-      if (!has_operands && spoken_of(spec, part).contains(name)) ++times;
-    });
-  }
-  return times <= 1;
-}
-
 // A choice between what inputs say and what robots sense; of an `and` that is denied, one side is
 // not so if another one is not.
 bool is_choice(const sema::Spec& spec, const sema::Expr& e) {
   const auto* const logic = std::get_if<sema::Logic>(&e.node);
   return logic != nullptr && logic->op != sema::LogicOp::logical_and && sema::speaks_of_robot(e) &&
-         !spoken_of(spec, e).empty();
+         is_told(spec, e);
 }
 // What has to be true for `e` to be, where all of its operands have to be.
 bool asks_for_all(const sema::Expr& e) {
@@ -362,8 +343,12 @@ bool asks_for_all(const sema::Expr& e) {
 
 }  // namespace
 
+bool is_told(const sema::Spec& spec, const sema::Expr& e) {
+  return !inputs_in(spec, e).empty() || sema::speaks_of<sema::SensedAge>(e) ||
+         sema::speaks_of<sema::ParamRef>(e);
+}
+
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& e,
-                                          const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always) {
   const auto* const logic = std::get_if<sema::Logic>(&e.node);
   const auto is_always = [&](const sema::ExprPtr& side) { return always(*side); };
@@ -374,7 +359,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
   std::vector<const sema::Expr*> torn;
   if (asks_for_all(e)) {
     sema::for_each_operand(e, [&](const sema::ExprPtr& side) {
-      const auto more = torn_parts(spec, *side, all, always);
+      const auto more = torn_parts(spec, *side, always);
       torn.insert(torn.end(), more.begin(), more.end());
     });
     return torn;
@@ -382,10 +367,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
   bool chooses = false;
   sema::for_each_expr(e,
                       [&](const sema::Expr& part) { chooses = chooses || is_choice(spec, part); });
-  const bool is_torn = chooses && std::ranges::any_of(spoken_of(spec, e), [&](const Name& name) {
-                         return !is_said_once(spec, all, name);
-                       });
-  if (is_torn) torn.push_back(&e);
+  if (chooses) torn.push_back(&e);
   return torn;
 }
 

@@ -32,20 +32,33 @@ struct Told {
 };
 // `seen`: whatever the errors of what is measured; else of what is so.
 enum class ToldHow { exactly, seen };
+// Of a robot that rests: how fast it may be seen to be, or reckoned to be soon, in m/s, and the
+// charge that a full battery is sure to be seen with, of 1.
+struct SeenAtRest {
+  Rational speed, charge;
+};
 // Whether inputs within their ranges make `property` be `value`, whatever the parameters are. no:
 // none does, with any parameters; open: nobody knows.
-Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how);
+Told told_to_be(const sema::Spec& spec, const sema::Expr& property, bool value, ToldHow how,
+                const std::optional<SeenAtRest>& at_rest = {});
+// What has to be true of a robot, which rests or does as suits.
+struct ToHold {
+  const sema::Expr* property;
+  std::optional<SeenAtRest> at_rest{};
+};
 // Whether inputs are seen to make all of these true at once, and some as long as they stay,
 // whatever robots sense.
-Told told_at_once(const sema::Spec& spec, const std::vector<const sema::Expr*>& all,
+Told told_at_once(const sema::Spec& spec, const std::vector<ToHold>& all,
                   const std::vector<const sema::Expr*>& whatever_is_sensed = {});
 // The inputs that an expression speaks of and no robot senses, their ages included.
 std::set<sema::InputId> inputs_in(const sema::Spec& spec, const sema::Expr& e);
-// The parts of what has to be true that inputs or what robots sense may make so, either of them,
-// and whose inputs are spoken of elsewhere in `all`, too: which side is so need not be the same
-// then. An `or` of which a side is `always` so is none.
+// Whether anything besides robots has a say in it: inputs, parameters, or how old is what a robot
+// senses.
+bool is_told(const sema::Spec& spec, const sema::Expr& e);
+// The parts of what has to be true that these or what robots sense may make so, either of them:
+// which side that is need not be the same whenever one asks. An `or` of which a side is `always` so
+// is none.
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& e,
-                                          const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always);
 // Whether two of these speak of one input, or one of them of how old is what a robot senses, which
 // whatever else is sensed has to be as well; or of one nobody knows whether inputs make it true.

@@ -108,10 +108,10 @@ inline std::optional<sema::Sensed> sensed_for(const sema::Expr& e) {
 class Reader {
  public:
   // `stays`: inputs are what they are for ever, so that the past is as now; else they have been
-  // anything in `ever`.
+  // anything in `ever`. `rest`: of a robot that rests; null: it does as suits.
   Reader(const sema::Spec& spec, const Variables& variables, const Spans& box, const Spans& ever,
-         bool stays)
-      : spec_(spec), variables_(variables), box_(box), ever_(ever), stays_(stays) {}
+         bool stays, const SeenAtRest* rest)
+      : spec_(spec), variables_(variables), box_(box), ever_(ever), stays_(stays), rest_(rest) {}
 
   // `suits`: what anything is that robots sense. Of what nobody knows it is open.
   [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
@@ -175,11 +175,29 @@ class Reader {
     // a side of which robots say nothing is for inputs to say
     if (!a && !speaks_of_sensed(spec_, *v.left)) return Truth3::open;
     if (!b && !speaks_of_sensed(spec_, *v.right)) return Truth3::open;
-    if (!a || !b) return unknown(e, suits);
+    if (!a || !b) return rest_ != nullptr && !charge_ ? charged(v, e, suits) : unknown(e, suits);
     if (is_old(*v.left) || is_old(*v.right)) return from(!suits);
-    const bool strictly = v.op == sema::CompareOp::less || v.op == sema::CompareOp::greater;
-    const bool is_least = v.op == sema::CompareOp::less || v.op == sema::CompareOp::less_equal;
-    return is_least ? ordered(*a, *b, strictly) : ordered(*b, *a, strictly);
+    return compared(v.op, *a, *b);
+  }
+  static Truth3 compared(sema::CompareOp op, const Span& a, const Span& b) {
+    const bool strictly = op == sema::CompareOp::less || op == sema::CompareOp::greater;
+    const bool is_least = op == sema::CompareOp::less || op == sema::CompareOp::less_equal;
+    return is_least ? ordered(a, b, strictly) : ordered(b, a, strictly);
+  }
+  // Of charge what suits is none, or as much as a full battery is seen with, and a way that takes
+  // none; where neither of these does, nothing else does.
+  [[nodiscard]] Truth3 charged(const sema::Compare& v, const sema::Expr& e, bool suits) const {
+    bool open = false;
+    for (const Rational& charge : {Rational(0), rest_->charge}) {
+      Reader best = *this;
+      best.charge_ = charge;
+      const Number a = best.number(*v.left), b = best.number(*v.right);
+      if (!a || !b) return unknown(e, suits);
+      const Truth3 is = compared(v.op, *a, *b);
+      if (is == from(suits)) return unknown(e, suits);
+      open = open || is == Truth3::open;
+    }
+    return open ? Truth3::open : from(!suits);
   }
   // What time it is suits.
   static Truth3 says(const sema::ZoneOpen&, const sema::Expr&, bool suits) { return from(suits); }
@@ -298,7 +316,8 @@ class Reader {
     return not_now && left == Truth3::no ? left : Truth3::open;
   }
   [[nodiscard]] Truth3 ever(const sema::Expr& e, bool suits, Truth3 now) const {
-    return &box_ == &ever_ ? now : Reader(spec_, variables_, ever_, ever_, false).truth(e, suits);
+    return &box_ == &ever_ ? now
+                           : Reader(spec_, variables_, ever_, ever_, false, rest_).truth(e, suits);
   }
 
   static Truth3 ordered(const Span& a, const Span& b, bool strictly) {
@@ -325,7 +344,7 @@ class Reader {
   [[nodiscard]] Number value(const sema::Math& v) const { return math(v); }
   [[nodiscard]] Number value(const sema::Aggregate& v) const {
     if (!is_of_its_values(v.op)) return std::nullopt;
-    const Reader before(spec_, variables_, ever_, ever_, false);
+    const Reader before(spec_, variables_, ever_, ever_, false, rest_);
     return stays_ ? number(*v.operand) : before.number(*v.operand);
   }
   [[nodiscard]] Number value(const sema::Choice& v) const {
@@ -335,15 +354,23 @@ class Reader {
     if (when != Truth3::open) return when == Truth3::yes ? a : b;
     return hull({a->lo, a->hi, b->lo, b->hi});
   }
+  [[nodiscard]] Number value(const sema::SignalRef& v) const {
+    if (rest_ == nullptr || v.subject != sema::Subject::self) return std::nullopt;
+    if (v.signal == sema::Signal::speed) return Span{0, rest_->speed};
+    return v.signal == sema::Signal::battery && charge_ ? Number(Span{*charge_, *charge_})
+                                                        : std::nullopt;
+  }
+  [[nodiscard]] Number value(const sema::EnergyTo&) const {
+    return charge_ ? Number(Span{0, 0}) : std::nullopt;
+  }
   template <class Node>
   static Number value(const Node&) {
     // Every quantity is named above but these, of places and of what robots sense; the others are
     // conditions.
     static_assert(
-        is_one_of<Node, sema::SignalRef, sema::Clearance, sema::Distance, sema::EnergyTo,
-                  sema::CountOthers, sema::OverMembers, sema::PointClearance, sema::WhileOpen,
-                  sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
-                  sema::AgentDistance> ||
+        is_one_of<Node, sema::Clearance, sema::Distance, sema::CountOthers, sema::OverMembers,
+                  sema::PointClearance, sema::WhileOpen, sema::TrailClearance, sema::TrailDistance,
+                  sema::ZoneDistance, sema::AgentDistance> ||
         is_one_of<Node, sema::Truth, sema::InsideZone, sema::PlanInside, sema::Compare, sema::Logic,
                   sema::HeldFor, sema::ForOthers, sema::PointInside, sema::ZoneOpen,
                   sema::TrailInside, sema::PathGiven, sema::IsValue, sema::SameValue,
@@ -401,6 +428,8 @@ class Reader {
   const Spans& box_;
   const Spans& ever_;
   bool stays_;
+  const SeenAtRest* rest_;
+  std::optional<Rational> charge_{};  // that is tried
 };
 
 }  // namespace rtac::analysis::told

@@ -8,6 +8,7 @@
 #include "compiler/geometry/bake.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/on_grid.h"
+#include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
@@ -375,15 +376,12 @@ bool AtPlace::compares(const sema::Compare& v, bool value, const Look& look, con
   return !spot.z || (by > 0 ? *spot.z - look.errs >= limit : *spot.z + look.errs <= limit);
 }
 
-// Without a way that no battery has so much is for other claims to say.
 bool AtPlace::is_enough(const std::optional<sema::SiteId>& site, const Rational& reserve,
                         const Look& look, const Spot& spot) {
-  if (!site) return true;
-  const sema::RobotKind& kind = spec_[decision_.kind];
-  if (!kind.battery || !kind.energy) return false;
+  const Rational full = shown_full(spec_[decision_.kind]);
+  if (!site) return reserve <= full;  // what it takes meanwhile is for other claims to say
+  if (sgn(full) == 0) return false;
   const auto way = price(*site, spot.at, look.within);
-  const Rational full =
-      1 - 2 * kind.battery->error.value - kind.energy->drain.value * kind.battery->max_age.value;
   return way && *way + reserve + look.takes <= full;
 }
 

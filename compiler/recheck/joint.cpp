@@ -302,7 +302,6 @@ std::vector<std::string> doubts_of_return(const sema::Spec& spec, const sema::De
 std::vector<std::string> torn_returns(const sema::Spec& spec, const sema::Decision& decision,
                                       Claims& claims, const std::string& only, const Claim* told) {
   std::vector<std::string> doubts;
-  const auto said = said_by(spec, decision, only);
   const auto inputs = told_inputs(spec, told != nullptr ? text(told->values, "inputs") : "");
   for (const sema::MonitorId id : decision.priority) {
     const sema::Monitor& m = spec[id];
@@ -310,7 +309,7 @@ std::vector<std::string> torn_returns(const sema::Spec& spec, const sema::Decisi
     const auto at_rest = [&](const sema::Expr& part) {
       return is_limit_kept_at_rest(spec, decision, claims, m, part);
     };
-    for (const sema::Expr* part : torn_parts(spec, *m.return_when, said, at_rest)) {
+    for (const sema::Expr* part : torn_parts(spec, *m.return_when, at_rest)) {
       if (inputs && told_alone_makes(spec, *part, *inputs)) continue;
       doubts.push_back("`return when` of `" + m.name +
                        "` may ask for inputs and places that are not at once");

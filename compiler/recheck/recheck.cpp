@@ -246,12 +246,39 @@ class Check {
       need(d, e, "limits");
     }
     told(d, e, m, "true");
+    as_a_whole(d, e, m);
     if (d.on_plan) return;
     one_place(d, e, m);
     if (const std::string limit = limit_unseen(spec_, d, *m.always); !limit.empty()) {
       fail(whom(d, e) + ": " + limit);
     }
     seen_beside_zones(d, e, m);
+  }
+  // It is true at a place that is claimed, or at one where no zone is asked for, with inputs as
+  // they are said to be: in those zones, and in no other one.
+  void as_a_whole(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
+    std::map<std::string, std::set<std::string>> zones_at;
+    for (const Claim& c : e.claims) {
+      if (c.what != "seen" || text(c.values, "decision") != d.name) continue;
+      zones_at[text(c.values, "x_mm") + " " + text(c.values, "y_mm")].insert(
+          text(c.values, "zone"));
+    }
+    if (zones_at.empty()) zones_at[""] = {};
+    const Claim* const told = claim_with(e, "told", {{"decision", d.name}, {"monitor", m.name}});
+    const auto inputs = told_inputs(spec_, told != nullptr ? text(told->values, "inputs") : "");
+    if (!inputs) return;  // the claim is wrong
+    const bool is_so = std::ranges::any_of(zones_at, [&](const auto& at) {
+      return told_makes_true_but(
+          spec_, *m.always, *inputs, [&](const sema::Expr& leaf, bool value) {
+            const auto zones = all_zones(leaf);
+            const bool lies = std::ranges::any_of(zones, [&](sema::ZoneId zone) {
+              return at.second.contains(claims_.zones().name(zone));
+            });
+            if (!zones.empty()) return lies == value;
+            return !value && is_told(spec_, *m.always) && judges_robots(spec_, d, leaf);
+          });
+    });
+    if (!is_so) fail(whom(d, e) + ": it need not be true at any place that is claimed");
   }
   // Charge and heights at the place that is claimed, or anywhere where none is; and whether others
   // can be as far away as is asked.

@@ -173,7 +173,8 @@ class Condition {
              (strict ? shown < limit : shown <= limit);
     }
     if (of.kind == Measured::Kind::clearance) return clear(sema::ZoneId{of.index}, limit);
-    return of.kind == Measured::Kind::battery && charges() && limit <= shown_full();
+    return of.kind == Measured::Kind::battery && charges() &&
+           limit <= shown_full(spec_[monitor_.kind]);
   }
   // Agents and robots are far away, though no farther than agents are known, and none is counted
   // where there are no others.
@@ -206,14 +207,6 @@ class Condition {
     return way && charges() &&
            is({Measured::Kind::energy_to, static_cast<std::uint32_t>(way->site)}, -1);
   }
-  // What every sample of a full battery shows: its error counts twice, once for what is measured
-  // and once for what that may mean, and the charge falls as it ages.
-  [[nodiscard]] Rational shown_full() const {
-    const sema::RobotKind& kind = spec_[monitor_.kind];
-    if (!kind.battery || !kind.energy) return 0;
-    return 1 - 2 * kind.battery->error.value -
-           kind.energy->drain.value * kind.battery->max_age.value;
-  }
   // Where charge is taken up, it is taken up until it is enough; that there is enough for the way
   // home besides is for errors to say (5007).
   [[nodiscard]] bool charges() const { return at_ || ends_charged(spec_, decision_, recovery_); }
@@ -237,15 +230,12 @@ class Condition {
     return !steps.empty() && std::holds_alternative<sema::Loiter>(steps.back());
   }
   [[nodiscard]] Rational drives() const { return driven_at_most(numbers_, recovery_); }
-  // And it may have gained speed since its position was measured.
   [[nodiscard]] Rational shown_speed() const {
-    const Rational first = seen_at_rest(numbers_);
     // who loiters rests between laps alone
     if (lasts_ && loiters()) {
-      return first + std::max(drives(), std::min(numbers_.speed, numbers_.stands));
+      return seen_at_rest(numbers_) + std::max(drives(), std::min(numbers_.speed, numbers_.stands));
     }
-    return std::min(std::max(drives(), first),
-                    Rational(first + planar_accel(numbers_) * numbers_.position_age));
+    return shown_at_rest(spec_, numbers_, monitor_);
   }
   // The clearance of a centre at which every sample shows, as old as it may be, that a body at rest
   // is `gap` from the boundary.
@@ -293,6 +283,18 @@ class Condition {
 };
 
 }  // namespace
+
+Rational shown_at_rest(const sema::Spec& spec, const Numbers& numbers,
+                       const sema::Monitor& monitor) {
+  const Rational first = seen_at_rest(numbers);
+  const Rational gained = first + planar_accel(numbers) * numbers.position_age;
+  if (!monitor.recover) return gained;
+  return std::min(std::max(driven_at_most(numbers, spec[*monitor.recover]), first), gained);
+}
+Rational shown_full(const sema::RobotKind& kind) {
+  if (!kind.battery || !kind.energy) return 0;
+  return 1 - 2 * kind.battery->error.value - kind.energy->drain.value * kind.battery->max_age.value;
+}
 
 bool lets_go(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
              const sema::Monitor& monitor, const Rational& left) {

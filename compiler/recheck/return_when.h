@@ -6,6 +6,14 @@
 
 namespace rtac::recheck {
 
+// How fast a robot that has come to rest may be seen to be, driven by the recovery of a monitor, in
+// m/s: it may have gained speed since its position was measured.
+Rational shown_at_rest(const sema::Spec& spec, const Numbers& numbers,
+                       const sema::Monitor& monitor);
+// The charge that every sample of a full battery shows, of 1: its error counts twice, once for what
+// is measured and once for what that may mean, and the charge falls as it ages. 0: it has none.
+Rational shown_full(const sema::RobotKind& kind);
+
 // `left`: how clear of the boundary of its zone the recovery has led to, in m.
 bool lets_go(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
              const sema::Monitor& monitor, const Rational& left);

@@ -46,6 +46,10 @@ class Sides {
   bool holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
   // That this is a limit of speed that a robot at rest is seen to exceed, as far as it looks ahead.
   bool is_exceeded_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
+  // How fast a robot that rests may be as far as a monitor looks ahead, `extra` s further, in m/s.
+  [[nodiscard]] Rational from_rest(const sema::Monitor& m, const Rational& extra) const {
+    return rests_of(m, extra).from_rest;
+  }
   // That a recovery is slow enough for a property of speeds and inputs alone, but where inputs ask
   // for so little speed that a robot at rest stays there until they change.
   bool keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,

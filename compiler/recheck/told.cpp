@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "compiler/recheck/claims.h"
+#include "compiler/recheck/numbers.h"
+#include "compiler/recheck/return_when.h"
+#include "compiler/recheck/sides.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
@@ -46,14 +49,16 @@ bool senses(const sema::Spec& spec, const sema::Expr& e) {
 class Reader {
  public:
   // `anyhow`: what robots sense may be anything, and else is as it suits, but for `may_be`.
+  // `rest`: of a robot that rests; else it does as suits.
   Reader(const sema::Spec& spec, const ToldInputs& inputs, bool with_errors, bool anyhow = false,
-         MayBe may_be = {}, SensedAges ages = {})
+         MayBe may_be = {}, SensedAges ages = {}, std::optional<SeenAtRest> rest = {})
       : spec_(spec),
         inputs_(inputs),
         with_errors_(with_errors),
         anyhow_(anyhow),
         may_be_(std::move(may_be)),
-        ages_(std::move(ages)) {}
+        ages_(std::move(ages)),
+        rest_(std::move(rest)) {}
 
   // Whether it can be so in spite of what suits, while inputs stay.
   [[nodiscard]] bool can_be(const sema::Expr& e, bool value) const {
@@ -70,7 +75,18 @@ class Reader {
     if (a && b) return is_between(v.op, *a, *b, value);
     // a side of which robots say nothing is for inputs to say
     const bool unread = (!a && !senses(spec_, *v.left)) || (!b && !senses(spec_, *v.right));
-    return unread || unknown(e, value);
+    if (unread) return true;
+    return rest_ && !charge_ ? charged(v, e, value) : unknown(e, value);
+  }
+  // Neither an empty battery nor one that is seen to be full suits.
+  [[nodiscard]] bool charged(const sema::Compare& v, const sema::Expr& e, bool value) const {
+    for (const Rational& charge : {Rational(0), rest_->charge}) {
+      Reader at = *this;
+      at.charge_ = charge;
+      const Known a = at.number(*v.left), b = at.number(*v.right);
+      if (!a || !b || !is_between(v.op, *a, *b, value)) return unknown(e, value);
+    }
+    return true;
   }
   [[nodiscard]] bool can(const sema::HeldFor& v, const sema::Expr&, bool value) const {
     return can_be(*v.operand, value);
@@ -250,14 +266,23 @@ class Reader {
     const auto of = numbers(v.operands);
     return of ? extreme(v.op, *of) : std::nullopt;
   }
+  [[nodiscard]] Known known(const sema::SignalRef& v) const {
+    const bool own = rest_ && v.subject == sema::Subject::self;
+    if (own && v.signal == sema::Signal::speed) return Bounds{0, rest_->speed};
+    if (!own || v.signal != sema::Signal::battery || !charge_) return std::nullopt;
+    return Bounds{*charge_, *charge_};
+  }
+  // No way takes less than nothing.
+  [[nodiscard]] Known known(const sema::EnergyTo&) const {
+    return charge_ ? Known(Bounds{0, 0}) : std::nullopt;
+  }
   template <class Node>
   static Known known(const Node&) {
     // The quantities that are left are of places and robots; the others are conditions.
     static_assert(
-        is_one_of<Node, sema::SignalRef, sema::Clearance, sema::Distance, sema::EnergyTo,
-                  sema::CountOthers, sema::OverMembers, sema::PointClearance, sema::WhileOpen,
-                  sema::TrailClearance, sema::TrailDistance, sema::ZoneDistance,
-                  sema::AgentDistance> ||
+        is_one_of<Node, sema::Clearance, sema::Distance, sema::CountOthers, sema::OverMembers,
+                  sema::PointClearance, sema::WhileOpen, sema::TrailClearance, sema::TrailDistance,
+                  sema::ZoneDistance, sema::AgentDistance> ||
         is_one_of<Node, sema::Truth, sema::InsideZone, sema::PlanInside, sema::Compare, sema::Logic,
                   sema::HeldFor, sema::ForOthers, sema::PointInside, sema::ZoneOpen,
                   sema::TrailInside, sema::PathGiven, sema::IsValue, sema::SameValue,
@@ -320,6 +345,13 @@ class Reader {
   bool with_errors_, anyhow_;
   MayBe may_be_;
   SensedAges ages_;
+  std::optional<SeenAtRest> rest_;
+  std::optional<Rational> charge_{};  // that is tried
+};
+
+struct ToHold {
+  const sema::Expr* property;
+  std::optional<SeenAtRest> at_rest{};
 };
 
 bool can_measure(const sema::Spec& spec, const sema::Input& input, std::uint32_t component,
@@ -427,36 +459,29 @@ std::set<ToldInput> inputs_told(const sema::Spec& spec, const sema::Expr& e) {
   return all;
 }
 // All of these at once.
-bool told_make(const sema::Spec& spec, const std::vector<const sema::Expr*>& said,
-               const ToldInputs& inputs, bool value) {
+bool told_make(const sema::Spec& spec, const std::vector<ToHold>& all, const ToldInputs& inputs,
+               bool value) {
+  std::vector<const sema::Expr*> said;
+  for (const ToHold& each : all) said.push_back(each.property);
   for (const sema::Expr* each : said) {
     for (const ToldInput& told : inputs_told(spec, *each)) {
       if (!inputs.contains(told)) return false;
     }
   }
   return is_at_some_ages(spec, said, [&](const SensedAges& ages) {
-    const Reader reader(spec, inputs, value, false, {}, ages);
-    return std::ranges::none_of(
-        said, [&](const sema::Expr* each) { return reader.can_be(*each, !value); });
+    return std::ranges::none_of(all, [&](const ToHold& each) {
+      const Reader reader(spec, inputs, value, false, {}, ages, each.at_rest);
+      return reader.can_be(*each.property, !value);
+    });
   });
-}
-
-// What anybody says of a part of a property besides robots: an input, or how old is what they
-// sense.
-using Source = std::pair<bool, std::uint32_t>;
-std::set<Source> sources_in(const sema::Spec& spec, const sema::Expr& e) {
-  std::set<Source> all;
-  for (const sema::InputId id : spoken_of(spec, e)) {
-    all.insert({false, static_cast<std::uint32_t>(id)});
-  }
-  sema::for_each_expr(e, [&](const sema::Expr& part) {
-    const auto* const v = std::get_if<sema::SensedAge>(&part.node);
-    if (v != nullptr) all.insert({true, static_cast<std::uint32_t>(v->signal)});
-  });
-  return all;
 }
 
 }  // namespace
+
+bool is_told(const sema::Spec& spec, const sema::Expr& e) {
+  return !spoken_of(spec, e).empty() || sema::speaks_of<sema::SensedAge>(e) ||
+         sema::speaks_of<sema::ParamRef>(e);
+}
 
 std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string& text) {
   ToldInputs all;
@@ -497,8 +522,8 @@ std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e) {
 }
 
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
-                bool value) {
-  return told_make(spec, {&property}, inputs, value);
+                bool value, const std::optional<SeenAtRest>& at_rest) {
+  return told_make(spec, {{&property, at_rest}}, inputs, value);
 }
 
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
@@ -507,26 +532,14 @@ bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
 }
 
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,
-                                          const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always) {
-  const auto times = [&](const Source& source) {
-    int count = 0;
-    for (const sema::Expr* each : all) {
-      sema::for_each_expr(*each, [&](const sema::Expr& part) {
-        bool whole = false;
-        sema::for_each_operand(part, [&](const auto&) { whole = true; });
-        count += !whole && sources_in(spec, part).contains(source) ? 1 : 0;
-      });
-    }
-    return count;
-  };
   // of a `not`, too: it may turn an `and` within it into an `or`
   const auto may_choose = [&](const sema::Expr& e) {
     bool found = false;
     sema::for_each_expr(e, [&](const sema::Expr& part) {
       const auto* const logic = std::get_if<sema::Logic>(&part.node);
       found = found || (logic != nullptr && logic->op != sema::LogicOp::logical_and &&
-                        sema::speaks_of_robot(part) && !sources_in(spec, part).empty());
+                        sema::speaks_of_robot(part) && is_told(spec, part));
     });
     return found;
   };
@@ -547,9 +560,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
                       std::holds_alternative<sema::Past>(e.node);
     if (both) {
       sema::for_each_operand(e, [&](const sema::ExprPtr& x) { left.push_back(x.get()); });
-    } else if (may_choose(e) && std::ranges::any_of(sources_in(spec, e), [&](const Source& x) {
-                 return times(x) > 1;
-               })) {
+    } else if (may_choose(e)) {
       torn.push_back(&e);
     }
   }
@@ -558,7 +569,7 @@ std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Ex
 
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,
                       const ToldInputs& inputs) {
-  return !inputs.empty() && !Reader(spec, inputs, true, true).can_be(property, false);
+  return !Reader(spec, inputs, true, true).can_be(property, false);
 }
 
 std::optional<Doubt> Claims::told(const Values& v) {
@@ -570,27 +581,20 @@ std::optional<Doubt> Claims::told(const Values& v) {
   if (!inputs || (value != "true" && value != "false")) {
     return wrong("the inputs cannot be measured so");
   }
-  if (!told_makes(spec_, *m->always, *inputs, value == "true")) {
+  std::optional<SeenAtRest> rest;
+  if (value == "true" && !d->on_plan) {
+    const Numbers numbers = numbers_of(spec_, *d, jitter_of(spec_, *d));
+    rest = {seen_at_rest(numbers), shown_full(spec_[d->kind])};
+  }
+  if (!told_makes(spec_, *m->always, *inputs, value == "true", rest)) {
     return wrong("with those inputs the property need not be " + value);
   }
   return std::nullopt;
 }
 
-bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only) {
-  for (const sema::MonitorId id : d.priority) {
-    const sema::Monitor& m = spec[id];
-    if (!only.empty() && m.name != only) continue;
-    if (m.return_when && !spoken_of(spec, *m.return_when).empty()) return true;
-  }
-  std::set<sema::InputId> known;
-  for (const sema::Expr* each : said_by(spec, d, only)) {
-    if (sema::speaks_of<sema::SensedAge>(*each)) return true;
-    for (const sema::InputId id : spoken_of(spec, *each)) {
-      if (!known.insert(id).second) return true;
-    }
-  }
-  return false;
-}
+namespace {
+
+// What the monitors of a decision say, and ask for to return; or `only` one of them.
 std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
                                        const std::string& only) {
   std::vector<const sema::Expr*> all;
@@ -603,14 +607,49 @@ std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decis
   return all;
 }
 
+}  // namespace
+
+bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only) {
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if (!only.empty() && m.name != only) continue;
+    if (m.return_when && is_told(spec, *m.return_when)) return true;
+    const bool of_rest = sema::speaks_of_speed(*m.always) || sema::speaks_of_charge(*m.always);
+    if (of_rest && is_told(spec, *m.always)) return true;
+  }
+  std::set<sema::InputId> known;
+  for (const sema::Expr* each : said_by(spec, d, only)) {
+    if (sema::speaks_of<sema::SensedAge>(*each)) return true;
+    for (const sema::InputId id : spoken_of(spec, *each)) {
+      if (!known.insert(id).second) return true;
+    }
+  }
+  return false;
+}
 std::optional<Doubt> Claims::at_once(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto inputs = told_inputs(spec_, text(v, "inputs"));
   if (d == nullptr || !inputs) return wrong("the inputs cannot be measured so");
-  if (!told_make(spec_, said_by(spec_, *d, text(v, "monitor")), *inputs, true)) {
+  const std::set<std::string> alone = names_in(text(v, "alone"));
+  const std::string only = text(v, "monitor");
+  const Numbers numbers = numbers_of(spec_, *d, jitter_of(spec_, *d));
+  const Rational full = shown_full(spec_[d->kind]), extra = return_extra(spec_, *d);
+  std::vector<ToHold> said;
+  for (const sema::MonitorId id : d->priority) {
+    const sema::Monitor& m = spec_[id];
+    if (!only.empty() && m.name != only) continue;
+    std::optional<SeenAtRest> ahead;
+    if (!d->on_plan && !m.ahead.waypoints_only && !alone.contains(m.name)) {
+      ahead = {Sides(spec_, *d, *this).from_rest(m, extra), full};
+    }
+    said.push_back({m.always.get(), ahead});
+    if (!m.return_when) continue;
+    said.push_back({m.return_when.get(), SeenAtRest{shown_at_rest(spec_, numbers, m), full}});
+  }
+  if (!told_make(spec_, said, *inputs, true)) {
     return wrong("with those inputs not all that is asked for need be true");
   }
-  for (const std::string& name : names_in(text(v, "alone"))) {
+  for (const std::string& name : alone) {
     const sema::Monitor* const m = monitor_of(spec_, *d, name);
     const bool is = m != nullptr && !m->return_when && told_alone_makes(spec_, *m->always, *inputs);
     if (is) continue;

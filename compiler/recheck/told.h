@@ -25,27 +25,30 @@ std::optional<ToldInputs> told_inputs(const sema::Spec& spec, const std::string&
 std::set<ToldInput> told_in(const sema::Spec& spec, const sema::Expr& e);
 // The same inputs, and those whose age it speaks of.
 std::set<sema::InputId> spoken_of(const sema::Spec& spec, const sema::Expr& e);
-// What the monitors of a decision say, and ask for to return; or `only` one of them.
-std::vector<const sema::Expr*> said_by(const sema::Spec& spec, const sema::Decision& d,
-                                       const std::string& only);
 // Whether two of these speak of one input, so that they may exclude each other, or a `return when`
 // of any, which may never be so; or one of how old is what its robot senses.
 bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::string& only);
+// Of a robot that rests: how fast it may be seen to be, or reckoned to be soon, in m/s, and the
+// charge that a full battery is sure to be seen with, of 1.
+struct SeenAtRest {
+  Rational speed, charge;
+};
+// Of inputs, parameters, or how old is what a robot senses.
+bool is_told(const sema::Spec& spec, const sema::Expr& e);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as
 // long as it takes, and what robots sense is as it suits, one age of it included. It is then true
 // whatever the errors, and false where there are none. What nobody knows makes nothing so.
 bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs,
-                bool value);
+                bool value, const std::optional<SeenAtRest>& at_rest = {});
 // Whether it is true while these are measured, and what robots sense suits, but what is said that
 // it may be otherwise, and how old it is.
 using MayBe = std::function<bool(const sema::Expr&, bool value)>;
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
                          const ToldInputs& inputs, const MayBe& may_be);
-// The parts of what has to be true that inputs or what robots sense may make so, either of them,
-// and whose inputs anything else of `all` speaks of: which side is so need not be the same then. An
-// `or` of which a side is `always` so tears nothing.
+// The parts of what has to be true that inputs or what robots sense may make so, either of them:
+// which side is so need not be the same whenever one asks. An `or` of which a side is `always` so
+// tears nothing.
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,
-                                          const std::vector<const sema::Expr*>& all,
                                           const std::function<bool(const sema::Expr&)>& always);
 // Whether it is true then whatever else is sensed, as long as they stay so.
 bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property, const ToldInputs& inputs);

@@ -1,9 +1,18 @@
 // What several monitors say of inputs, and ask for to let go: whether it can be so at once.
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/speed_limits.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
+
+analysis::SeenAtRest seen_at_rest(const Subject& s, const ir::Motion& motion) {
+  constexpr long ppm = 1'000'000;
+  return {Rational(static_cast<long>(analysis::shown_speed_mmps(s.decision, motion)), 1000),
+          Rational(static_cast<long>(analysis::shown_full_ppm(s.decision.body)), ppm)};
+}
+
 namespace {
 
 // A limit of its own speed, `r.speed <= c`, that whoever has come to rest is seen to keep, driven
@@ -28,6 +37,43 @@ bool is_kept_at_rest(const Subject& s, std::size_t k, const sema::Expr& e) {
   return strict ? shown_mmps < most_mmps : shown_mmps <= most_mmps;
 }
 
+// As far as a monitor looks ahead; none: it does not.
+std::optional<analysis::SeenAtRest> ahead_at_rest(const Subject& s, std::size_t k) {
+  const ir::Lookahead& ahead = s.decision.monitors[k].lookahead;
+  if (!ahead.duration) return std::nullopt;
+  analysis::SeenAtRest seen = seen_at_rest(s, s.decision.motions.front());
+  seen.speed =
+      Rational(static_cast<long>(analysis::fastest_from_rest(s.decision, ahead.duration_us)), 1000);
+  return seen;
+}
+// What is told, or asks for no more than a robot at rest has.
+bool is_choice_at_rest(const sema::Spec& spec, const sema::Expr& e) {
+  return (sema::speaks_of_speed(e) || sema::speaks_of_charge(e)) && analysis::is_told(spec, e);
+}
+// Inputs may allow what is asked for of speeds and charges, and a robot at rest has not got it.
+Obligation not_at_rest(const Subject& s, std::optional<std::size_t> only, const std::string& names,
+                       Obligation o) {
+  o.status = Status::unknown;
+  o.method = "no proof";
+  std::int64_t mmps = 0;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    if (only && k != *only) continue;
+    const auto ahead = ahead_at_rest(s, k);
+    if (!ahead || !sema::speaks_of_speed(*s.monitor(k).always)) continue;
+    mmps = std::max<std::int64_t>(mmps, ceil_to_int(Rational(ahead->speed * 1000)));
+  }
+  o.because =
+      "no inputs were found with which a robot at rest is slow enough, and charged, for "
+      "what is said by " +
+      names + ", and asked for to return";
+  if (mmps > 0) {
+    const std::string least = to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s";
+    o.because += ": it may be taken for one of " + least;
+    o.repair = "limits of at least " + least + " for some inputs are needed";
+  }
+  return o;
+}
+
 }  // namespace
 
 std::string values_of(const Subject& s, const std::vector<analysis::ToldInput>& told) {
@@ -49,21 +95,27 @@ std::string names_of_told(const Subject& s) {
 
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation o) {
   if (o.status != Status::proved) return o;
-  std::vector<const sema::Expr*> said, alone;
+  std::vector<analysis::ToHold> said;
+  std::vector<const sema::Expr*> plain, alone;
   std::string names;
-  bool asks_to_return = false;
+  bool asks_to_return = false, is_chosen = false;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     if (only && k != *only) continue;
     const sema::Monitor& m = s.monitor(k);
-    (s.told.contains(k) ? alone : said).push_back(m.always.get());
+    if (s.told.contains(k)) {
+      alone.push_back(m.always.get());
+    } else {
+      said.push_back({m.always.get(), ahead_at_rest(s, k)});
+      plain.push_back(m.always.get());
+      is_chosen = is_chosen || is_choice_at_rest(s.spec, *m.always);
+    }
     if (m.return_when) {
-      said.push_back(m.return_when.get());
-      asks_to_return = asks_to_return || !analysis::inputs_in(s.spec, *m.return_when).empty();
+      said.push_back({m.return_when.get(), seen_at_rest(s, s.decision.motions[k + 1])});
+      plain.push_back(m.return_when.get());
+      asks_to_return = asks_to_return || analysis::is_told(s.spec, *m.return_when);
     }
     names += (names.empty() ? "" : ", ") + quoted(m.name);
   }
-  std::vector<const sema::Expr*> all = said;
-  all.insert(all.end(), alone.begin(), alone.end());
   const bool is_without_places = !alone.empty();
   // which side of an `or` a place has been found for, and which inputs, need not be the same: those
   // have to make it true by themselves
@@ -72,12 +124,14 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     const sema::Monitor& m = s.monitor(k);
     if ((only && k != *only) || !m.return_when) continue;
     const auto at_rest = [&](const sema::Expr& part) { return is_kept_at_rest(s, k, part); };
-    const auto parts = analysis::torn_parts(s.spec, *m.return_when, all, at_rest);
+    const auto parts = analysis::torn_parts(s.spec, *m.return_when, at_rest);
     alone.insert(alone.end(), parts.begin(), parts.end());
     if (torn.empty() && !parts.empty()) torn = m.name;
   }
   // else each can be so by itself, as is asked of what is said (satisfiable)
-  if (alone.empty() && !asks_to_return && !analysis::share_inputs(s.spec, said)) return o;
+  if (alone.empty() && !asks_to_return && !is_chosen && !analysis::share_inputs(s.spec, plain)) {
+    return o;
+  }
   const analysis::Told told = analysis::told_at_once(s.spec, said, alone);
   if (told.can == analysis::CanBeTold::yes) {
     Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};
@@ -93,10 +147,14 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
     o.status = Status::unknown;
     o.method = "no proof";
     o.because = "`return when` of " + quoted(torn) +
-                " asks for inputs on one side of an `or`, for something else on another, and those "
-                "inputs are spoken of elsewhere, too";
+                " asks for inputs on one side of an `or`, and for something else on another, and "
+                "no inputs were found that make it true by themselves";
     o.repair = "a `return when` without that `or` is needed";
     return o;
+  }
+  for (analysis::ToHold& each : said) each.at_rest.reset();
+  if (analysis::told_at_once(s.spec, said, alone).can == analysis::CanBeTold::yes) {
+    return not_at_rest(s, only, names, std::move(o));
   }
   const bool never = told.can == analysis::CanBeTold::no;  // whatever was so before
   o.status = never ? Status::refuted : Status::unknown;

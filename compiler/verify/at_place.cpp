@@ -138,12 +138,12 @@ class AtPlace {
     }
     return false;
   }
-  // Without a way that no battery has so much is for errors to say (5007).
   [[nodiscard]] bool is_enough(std::optional<ir::SiteIndex> site, std::int64_t reserve_ppm) const {
-    if (!site) return true;
+    const std::int64_t full_ppm = analysis::shown_full_ppm(s_.decision.body);
+    if (!site)
+      return reserve_ppm <= full_ppm;  // what it takes meanwhile is for errors to say (5007)
     const auto price = price_at(s_.module, s_.module[*site], at_, look_.within_mm);
-    return price &&
-           *price + reserve_ppm + look_.takes_ppm <= analysis::shown_full_ppm(s_.decision.body);
+    return price && *price + reserve_ppm + look_.takes_ppm <= full_ppm;
   }
 
   const Subject& s_;
@@ -267,9 +267,23 @@ std::optional<geometry::Point> good_place(const Subject& s, const std::vector<Ne
   return all.empty() && good(any) ? std::optional(any) : std::nullopt;
 }
 
-bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps) {
+namespace {
+
+bool speaks_of_inputs(const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* fact = std::get_if<ir::Fact>(&op)) return !fact->of_robot;
+  const ir::Block* const body = ir::body_of(op);
+  bool found = body != nullptr && speaks_of_inputs(*body, body->result);
+  ir::for_each_operand(op, [&](ir::ValueId of) { found = found || speaks_of_inputs(block, of); });
+  return found;
+}
+
+}  // namespace
+
+bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps, bool is_told) {
   const auto rests = [&](ir::ValueId id) {
-    return analysis::asks_for_slow(s.module, s.decision, m.property, id, mmps);
+    return (is_told && speaks_of_inputs(m.property, id)) ||
+           analysis::asks_for_slow(s.module, s.decision, m.property, id, mmps);
   };
   return analysis::places_settle(m.property, s.decision.facts.params, {mmps, rests});
 }

@@ -33,7 +33,9 @@ std::optional<geometry::Point> good_place(const Subject& s, const std::vector<Ne
                                           const std::optional<geometry::Point>& first,
                                           const std::function<bool(const Place&)>& is_good);
 // Whether its zones settle what it asks of a place, and `mmps`, as fast as a robot at rest may be.
-bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps);
+// `is_told`: inputs make what speaks of them true.
+bool settles_places(const Subject& s, const ir::Monitor& m, std::int64_t mmps,
+                    bool is_told = false);
 // `shrink`, tables and the grid: a zone may be so much wider than it is found to be.
 inline constexpr std::int64_t rounded_mm = 10;
 // The places of sites that monitors ask for the charge of the way to.

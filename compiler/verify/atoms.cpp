@@ -87,6 +87,11 @@ bool may_hold_by_inputs(const ir::Block& property) {
   return told_to_be(property, property.result, true);
 }
 
+bool judges_others(const ir::Block& property) {
+  return std::ranges::any_of(property.values,
+                             [](const ir::Value& v) { return ir::body_of(v.op) != nullptr; });
+}
+
 std::vector<std::string> lemmas_of(const Atoms& atoms, const ir::Decision& decision,
                                    const ir::Monitor& monitor) {
   std::vector<std::string> all;

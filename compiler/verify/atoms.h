@@ -24,6 +24,9 @@ struct Atoms {
 };
 Atoms atoms_of(const ir::Block& property);
 
+// Whether it asks anything of each of the other robots, or of how many.
+bool judges_others(const ir::Block& property);
+
 // Whether some inputs make a property hold wherever the robot is, as far as `and`, `or` and `not`
 // tell.
 bool may_hold_by_inputs(const ir::Block& property);

@@ -314,7 +314,8 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
                     : "at rest the robot is as slow as every limit of " + quoted(m.name);
     o.claims.push_back(limits_claim(s));
     o.claims.push_back(recovery_claim(s, k));
-    return atoms.only_speed() || atoms.charge ? returned_at_rest(s, k, std::move(o)) : o;
+    const bool asks = atoms.only_speed() || atoms.charge || judges_others(m.property);
+    return asks && !atoms.only_facts() ? returned_at_rest(s, k, std::move(o)) : o;
   }
   if (std::string behind = falls_behind(s, m.recovery); !behind.empty()) {
     return doubted(std::move(o), {std::move(behind)});

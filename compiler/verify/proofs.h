@@ -163,6 +163,8 @@ std::optional<Obligation> limits_unseen(const Subject& s, const ir::Monitor& m,
 // Of a decision on a plan.
 std::vector<Obligation> plan_obligations(const Subject& s);
 
+// What is seen of a robot that has come to rest, driven as `motion` has it, whatever the sample.
+analysis::SeenAtRest seen_at_rest(const Subject& s, const ir::Motion& motion);
 // Of what is shown for these monitors: inputs make all that they say, and ask for to let go, true
 // at once. `only`: of one of them; else of all, some of which inputs alone make true.
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation proved);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "compiler/analysis/across.h"
 #include "compiler/analysis/fences.h"
@@ -80,6 +81,33 @@ void sure_of_plan(const ir::Block& block, ir::ValueId id, std::vector<ir::ZoneIn
     sure.push_back(plan->zone);
   }
 }
+// The zones of each way in which zones alone have a plan be as a property says; none: there is no
+// such way, or there are too many.
+using Ways = std::vector<std::set<ir::ZoneIndex>>;
+Ways ways_of_plan(const ir::Block& block, ir::ValueId id, bool of_choice) {
+  constexpr std::size_t ways_most = 64;
+  const ir::Op& op = block[id].op;
+  if (const auto* plan = std::get_if<ir::PlanInZone>(&op)) return {{plan->zone}};
+  if (const auto* either = std::get_if<ir::Or>(&op)) {
+    Ways all = ways_of_plan(block, either->a, true);
+    const Ways more = ways_of_plan(block, either->b, true);
+    all.insert(all.end(), more.begin(), more.end());
+    return all.size() > ways_most ? Ways() : all;
+  }
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    Ways all;
+    const Ways ways = ways_of_plan(block, both->b, of_choice);
+    for (const auto& one : ways_of_plan(block, both->a, of_choice)) {
+      for (const auto& other : ways) {
+        all.push_back(one);
+        all.back().insert(other.begin(), other.end());
+      }
+    }
+    return all.size() > ways_most ? Ways() : all;
+  }
+  // what is told is so, but for a side that need not be
+  return of_choice ? Ways() : Ways{{}};
+}
 // Of these, the zones that the robot, or its plan, has to be in at once.
 std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
                                 const std::vector<Need>& needs) {
@@ -99,10 +127,21 @@ std::vector<Need> held_together(const Subject& s, const ir::Monitor& m,
 }
 constexpr const char* no_choice =
     "some `or` is no choice of one of several zones, and no place is found for it";
-// Of a property without inputs.
-bool is_no_choice(const Subject& s, std::size_t k) {
-  const bool by_places = analysis::inputs_in(s.spec, *s.monitor(k).always).empty();
-  return by_places && !s.decision.on_plan && !settles_places(s, s.decision.monitors[k], 0);
+// The inputs that make each choice between them and what is sensed by themselves; none: nobody has
+// found any.
+std::optional<analysis::Told> told_alone(const Subject& s, std::size_t k) {
+  const sema::Expr& always = *s.monitor(k).always;
+  const auto parts = analysis::torn_parts(s.spec, always, [](const sema::Expr&) { return false; });
+  if (parts.empty()) return std::nullopt;
+  const analysis::ToHold asked{&always, seen_at_rest(s, s.decision.motions.front())};
+  const analysis::Told told = analysis::told_at_once(s.spec, {asked}, parts);
+  return told.can == analysis::CanBeTold::yes ? std::optional(told) : std::nullopt;
+}
+// Whether no place settles which side of an `or` holds, but where that is told.
+bool is_no_choice(const Subject& s, std::size_t k, bool is_told) {
+  if (s.decision.on_plan) return false;
+  const std::int64_t rest_mmps = analysis::shown_speed_mmps(s.decision, s.decision.motions.front());
+  return !settles_places(s, s.decision.monitors[k], rest_mmps, is_told);
 }
 // Of an `or` one side will do.
 std::vector<Sides> sides_seen(const Subject& s, const ir::Monitor& m) {
@@ -282,10 +321,15 @@ std::optional<Obligation> too_far_to_see(const Subject& s, std::size_t k, const 
   return std::nullopt;
 }
 
-// Inputs with which it is seen to hold, or else is false.
-analysis::Told told_for(const Subject& s, std::size_t k, bool holds) {
-  return analysis::told_to_be(s.spec, *s.monitor(k).always, holds,
-                              holds ? analysis::ToldHow::seen : analysis::ToldHow::exactly);
+// Inputs with which it is false.
+analysis::Told told_to_fail(const Subject& s, std::size_t k) {
+  return analysis::told_to_be(s.spec, *s.monitor(k).always, false, analysis::ToldHow::exactly);
+}
+// Inputs with which it is seen to hold of a robot that rests.
+analysis::Told told_to_hold(const Subject& s, std::size_t k) {
+  std::optional<analysis::SeenAtRest> rest;
+  if (!s.decision.on_plan) rest = seen_at_rest(s, s.decision.motions.front());
+  return analysis::told_to_be(s.spec, *s.monitor(k).always, true, analysis::ToldHow::seen, rest);
 }
 Obligation not_told(Obligation o, const analysis::Told& told) {
   if (told.can == analysis::CanBeTold::open) {
@@ -326,6 +370,34 @@ void claim_seen(const Subject& s, const ir::Monitor& m, const Need& need, const 
   o.claims.push_back(std::move(claim));
 }
 
+// Whether a plan has several ways to be as it says, or may have to be out of a zone.
+bool chooses_plan(const ir::Block& property) {
+  return std::ranges::any_of(property.values, [](const ir::Value& v) {
+    return std::holds_alternative<ir::Or>(v.op) || std::holds_alternative<ir::Not>(v.op);
+  });
+}
+// A plan to one place, in all zones of one of its ways.
+Obligation planned(const Subject& s, std::size_t k, const std::vector<Need>& needs,
+                   const analysis::Told& told, Obligation o) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  for (const auto& way : ways_of_plan(m.property, m.property.result, false)) {
+    std::vector<Need> all;
+    for (const Need& need : needs) {
+      if (way.contains(need.zone))
+        all.push_back({need.zone, std::max<std::int64_t>(need.clearance_mm, 1)});
+    }
+    const auto at = all.size() == 1 ? std::optional(alone(s, all.front()))
+                    : all.empty()   ? std::nullopt
+                                    : common_witness(s, all);
+    if (!at && !way.empty()) continue;
+    for (const Need& need : all) claim_seen(s, m, need, *at, o);
+    if (all.empty()) o.claims.push_back(limits_claim(s));
+    claim_told(s, k, true, told.inputs, o);
+    return o;
+  }
+  return doubted(std::move(o), {no_choice});
+}
+
 }  // namespace
 
 Obligation can_hold(const Subject& s, std::size_t k) {
@@ -347,14 +419,19 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   }
   if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
   if (auto far = too_far_to_see(s, k, o)) return std::move(*far);
-  const analysis::Told told = told_for(s, k, true);
+  analysis::Told told = told_to_hold(s, k);
   if (told.can != analysis::CanBeTold::yes) return not_told(std::move(o), told);
-  if (is_no_choice(s, k)) return doubted(std::move(o), {no_choice});
+  const auto by_themselves = s.decision.on_plan ? std::nullopt : told_alone(s, k);
+  if (by_themselves) told = *by_themselves;
+  if (is_no_choice(s, k, by_themselves.has_value())) return doubted(std::move(o), {no_choice});
   o.status = Status::proved;
   o.method = "witness";
   std::vector<Need> needs = seen_needs(s, m);
   if (auto narrow = too_narrow_to_see(s, needs, o)) return std::move(*narrow);
   if (auto narrow = too_narrow_on_each_side(s, m, o)) return std::move(*narrow);
+  if (s.decision.on_plan && chooses_plan(m.property)) {
+    return planned(s, k, needs, told, std::move(o));
+  }
   std::optional<Witness> common;
   std::vector<Need> together;
   const std::vector<Sides> ways = sides_seen(s, m);
@@ -401,7 +478,7 @@ Obligation can_hold(const Subject& s, std::size_t k) {
 
 Obligation can_fail(const Subject& s, std::size_t k) {
   const ir::Monitor& m = s.decision.monitors[k];
-  const analysis::Told told = told_for(s, k, false);
+  const analysis::Told told = told_to_fail(s, k);
   const analysis::Vacuity vacuity =
       analysis::vacuity_of(s.module, s.decision, m.property, told.can);
   Obligation o;

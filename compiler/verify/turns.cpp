@@ -24,11 +24,7 @@
 namespace rtac::verify {
 namespace {
 
-// Is some property about other robots? Then robots promise each other to stay.
-bool judges_others(const ir::Block& block) {
-  return std::any_of(block.values.begin(), block.values.end(),
-                     [](const ir::Value& v) { return ir::body_of(v.op) != nullptr; });
-}
+// Where properties are about other robots, they promise each other to stay.
 bool has_promises(const ir::Decision& d) {
   const auto& facts = d.facts.monitors;
   return std::any_of(facts.begin(), facts.end(),
