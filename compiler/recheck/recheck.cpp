@@ -270,7 +270,10 @@ class Check {
     const bool is_so = std::ranges::any_of(zones_at, [&](const auto& at) {
       return told_makes_true_but(
           spec_, *m.always, *inputs, [&](const sema::Expr& leaf, bool value) {
-            const auto zones = all_zones(leaf);
+            auto zones = all_zones(leaf);
+            if (const auto* plan = std::get_if<sema::PlanInside>(&leaf.node)) {
+              zones.push_back(plan->zone);
+            }
             const bool lies = std::ranges::any_of(zones, [&](sema::ZoneId zone) {
               return at.second.contains(claims_.zones().name(zone));
             });
@@ -310,7 +313,9 @@ class Check {
     if (!told_in(spec_, *m.always).empty()) {
       return need(d, e, "told", {{"monitor", m.name}, {"value", value}});
     }
-    if (told_makes(spec_, *m.always, {}, value == std::string("true"))) return;
+    const bool holds = value == std::string("true");
+    const auto rest = holds ? shown_at_rest(spec_, d) : std::nullopt;
+    if (told_makes(spec_, *m.always, {}, holds, rest)) return;
     fail(whom(d, e) + ": nothing that its robot may sense makes it so");
   }
   // All zones are seen at one place, and of each `or` one side.

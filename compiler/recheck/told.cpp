@@ -572,6 +572,12 @@ bool told_alone_makes(const sema::Spec& spec, const sema::Expr& property,
   return !Reader(spec, inputs, true, true).can_be(property, false);
 }
 
+std::optional<SeenAtRest> shown_at_rest(const sema::Spec& spec, const sema::Decision& d) {
+  if (d.on_plan) return std::nullopt;
+  const Numbers numbers = numbers_of(spec, d, jitter_of(spec, d));
+  return SeenAtRest{seen_at_rest(numbers), shown_full(spec[d.kind])};
+}
+
 std::optional<Doubt> Claims::told(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
@@ -581,11 +587,7 @@ std::optional<Doubt> Claims::told(const Values& v) {
   if (!inputs || (value != "true" && value != "false")) {
     return wrong("the inputs cannot be measured so");
   }
-  std::optional<SeenAtRest> rest;
-  if (value == "true" && !d->on_plan) {
-    const Numbers numbers = numbers_of(spec_, *d, jitter_of(spec_, *d));
-    rest = {seen_at_rest(numbers), shown_full(spec_[d->kind])};
-  }
+  const auto rest = value == "true" ? shown_at_rest(spec_, *d) : std::nullopt;
   if (!told_makes(spec_, *m->always, *inputs, value == "true", rest)) {
     return wrong("with those inputs the property need not be " + value);
   }

@@ -33,6 +33,8 @@ bool asks_at_once(const sema::Spec& spec, const sema::Decision& d, const std::st
 struct SeenAtRest {
   Rational speed, charge;
 };
+// As its samples show it, of whichever robot of a decision; none: it has none.
+std::optional<SeenAtRest> shown_at_rest(const sema::Spec& spec, const sema::Decision& d);
 // Of inputs, parameters, or how old is what a robot senses.
 bool is_told(const sema::Spec& spec, const sema::Expr& e);
 // Whether the property is `value` while these are measured, which are all of its inputs, for as

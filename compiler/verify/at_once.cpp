@@ -52,9 +52,10 @@ bool is_choice_at_rest(const sema::Spec& spec, const sema::Expr& e) {
 }
 // Inputs may allow what is asked for of speeds and charges, and a robot at rest has not got it.
 Obligation not_at_rest(const Subject& s, std::optional<std::size_t> only, const std::string& names,
-                       Obligation o) {
-  o.status = Status::unknown;
-  o.method = "no proof";
+                       analysis::CanBeTold can, Obligation o) {
+  const bool never = can == analysis::CanBeTold::no;
+  o.status = never ? Status::refuted : Status::unknown;
+  o.method = never ? "interval arithmetic" : "no proof";
   std::int64_t mmps = 0;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     if (only && k != *only) continue;
@@ -154,7 +155,7 @@ Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Oblig
   }
   for (analysis::ToHold& each : said) each.at_rest.reset();
   if (analysis::told_at_once(s.spec, said, alone).can == analysis::CanBeTold::yes) {
-    return not_at_rest(s, only, names, std::move(o));
+    return not_at_rest(s, only, names, told.can, std::move(o));
   }
   const bool never = told.can == analysis::CanBeTold::no;  // whatever was so before
   o.status = never ? Status::refuted : Status::unknown;

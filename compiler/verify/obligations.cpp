@@ -248,11 +248,13 @@ void refute_pair(Obligation refuted, const std::string& recovery, std::vector<Ob
 // Who never gives control back does so nowhere together with others.
 void refute_joint_return(const std::string& monitor, std::vector<Obligation>& all) {
   const auto joint = std::ranges::find(all, Kind::joint_return, &Obligation::kind);
-  if (joint == all.end() || joint->status != Status::proved) return;
+  if (joint == all.end()) return;
+  if (joint->status != Status::proved && joint->status != Status::unknown) return;
   joint->status = Status::refuted;
   joint->method = "P2b of `" + monitor + "`";
   joint->because = "`" + monitor + "` gives control back nowhere";
   joint->not_shown = "a run that shows P2b shows it as well";
+  joint->repair.clear();
   joint->claims.clear();
 }
 // The decision that a report stands in, with the line of the next one below it.

@@ -7,7 +7,11 @@ namespace {
 
 class Turns : public Verify {
  protected:
-  static std::string page() { return read(refuted_folder() + "up_and_down.rta"); }
+  // Without what is said of it.
+  static std::string page() {
+    const std::string text = read(refuted_folder() + "up_and_down.rta");
+    return text.substr(text.find("spec "));
+  }
   static std::string in_order(const std::string& order) {
     return edited(page(), "fence > weather", order);
   }
@@ -54,11 +58,16 @@ TEST_F(Turns, OfAnOrderAreLookedAtBeforeItIsOffered) {
 }
 // Where they take none it is.
 TEST_F(Turns, AnOrderWithoutThemIsOffered) {
-  const std::string limit = edited(edited(in_order("weather > fence"), "always not storm",
-                                          "always not storm or d.speed <= 1 m/s"),
-                                   "return when not storm for 30 s", "return when not storm");
-  const Outcome o = verified(limit, {"--format", "json"});
-  EXPECT_EQ(o.out, "") << o.err;
+  for (const char* shared : {"parts.rta", "space_parts.rta"}) {
+    write(shared, read(refuted_folder() + shared));
+  }
+  const std::string lands = read(refuted_folder() + "lands.rta");
+  const std::string text = lands.substr(lands.find("spec "));
+  const Outcome o = verified(text, {"--format", "json"});
+  const std::string repair = obligation(o, "C")["repair"];
+  EXPECT_NE(repair.find("`priority above > walls;` works"), std::string::npos) << repair;
+  const Outcome works = verified(edited(text, "walls > above", "above > walls"));
+  EXPECT_EQ(works.status, exit_clean) << works.out << works.err;
 }
 
 }  // namespace
