@@ -398,13 +398,9 @@ Obligation planned(const Subject& s, std::size_t k, const std::vector<Need>& nee
   return doubted(std::move(o), {no_choice});
 }
 
-}  // namespace
-
-Obligation can_hold(const Subject& s, std::size_t k) {
+// What is known of it without a witness: that it is never so, or that nobody can see it.
+std::optional<Obligation> unseen(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
-  Obligation o;
-  o.kind = Kind::satisfiable;
-  o.monitor = m.name;
   if (analysis::never_holds(s.decision, m.property)) {
     o.status = Status::refuted;
     o.method = "static check";
@@ -417,8 +413,18 @@ Obligation can_hold(const Subject& s, std::size_t k) {
     o.because = "what zone will be received is not known";
     return o;
   }
-  if (auto unseen = limits_unseen(s, m, o)) return std::move(*unseen);
-  if (auto far = too_far_to_see(s, k, o)) return std::move(*far);
+  if (auto limits = limits_unseen(s, m, o)) return limits;
+  return too_far_to_see(s, k, o);
+}
+
+}  // namespace
+
+Obligation can_hold(const Subject& s, std::size_t k) {
+  const ir::Monitor& m = s.decision.monitors[k];
+  Obligation o;
+  o.kind = Kind::satisfiable;
+  o.monitor = m.name;
+  if (auto found = unseen(s, k, o)) return std::move(*found);
   analysis::Told told = told_to_hold(s, k);
   if (told.can != analysis::CanBeTold::yes) return not_told(std::move(o), told);
   const auto by_themselves = s.decision.on_plan ? std::nullopt : told_alone(s, k);
