@@ -253,7 +253,10 @@ void refute_joint_return(const std::string& monitor, std::vector<Obligation>& al
   joint->status = Status::refuted;
   joint->method = "P2b of `" + monitor + "`";
   joint->because = "`" + monitor + "` gives control back nowhere";
-  joint->not_shown = "a run that shows P2b shows it as well";
+  const bool is_shown = std::ranges::any_of(all, [&](const Obligation& o) {
+    return o.kind == Kind::p2b && o.monitor == monitor && o.status == Status::refuted;
+  });
+  if (is_shown) joint->not_shown = "a run that shows P2b shows it as well";
   joint->repair.clear();
   joint->claims.clear();
 }

@@ -122,7 +122,9 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
   if (m.recovery.kind == ir::RecoveryKind::external) {
     o.method = "claim, checked in every tick";
     o.because = quoted(m.recovery.name) + " is braked as soon as it might leave " +
-                quoted(s.module[m.recovery.zone].name);
+                quoted(s.module[m.recovery.zone].name) +
+                ", or is seen to be faster than it claims; that it is not so between two ticks is "
+                "assumed";
   } else if (atoms.only_facts()) {
     o.method = "no part of the robot";
     o.because = "what " + quoted(m.name) + " says depends on inputs alone";
