@@ -528,7 +528,9 @@ bool told_makes(const sema::Spec& spec, const sema::Expr& property, const ToldIn
 
 bool told_makes_true_but(const sema::Spec& spec, const sema::Expr& property,
                          const ToldInputs& inputs, const MayBe& may_be) {
-  return !Reader(spec, inputs, true, false, may_be).can_be(property, false);
+  return is_at_some_ages(spec, {&property}, [&](const SensedAges& ages) {
+    return !Reader(spec, inputs, true, false, may_be, ages).can_be(property, false);
+  });
 }
 
 std::vector<const sema::Expr*> torn_parts(const sema::Spec& spec, const sema::Expr& wanted,

@@ -278,7 +278,7 @@ TEST_F(AtOnce, WhoIsSlowEnoughAtRestWhateverInputsAreAsksForNoPlace) {
   // some inputs, or less than a robot at rest may become until a recovery acts (0.28 m/s)
   for (const char* const some :
        {"night and r.speed <= 0.6 m/s", "if night then r.speed <= 0.6 m/s else r inside east",
-        "if night then r.speed <= 0.25 m/s else r.speed <= 0.8 m/s", "r.speed <= 0.25 m/s"}) {
+        "if night then r.speed <= 0.25 m/s else r.speed <= 0.26 m/s", "r.speed <= 0.25 m/s"}) {
     verified(page(some), written);
     report_ = Json::parse(read("certificates/verification.json"));
     EXPECT_NE(together()["status"], "proved") << some << together();
