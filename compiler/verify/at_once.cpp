@@ -50,6 +50,45 @@ std::optional<analysis::SeenAtRest> ahead_at_rest(const Subject& s, std::size_t 
 bool is_choice_at_rest(const sema::Spec& spec, const sema::Expr& e) {
   return (sema::speaks_of_speed(e) || sema::speaks_of_charge(e)) && analysis::is_told(spec, e);
 }
+// What monitors say and ask for to return.
+struct Said {
+  std::vector<analysis::ToHold> all;
+  std::vector<const sema::Expr*> alone;  // what inputs have to make true by themselves
+  std::string names, torn;               // of monitors; `torn`: of one with an `or` of both
+  bool without_places = false;
+  bool is_needed =
+      false;  // else each can be so by itself, as is asked of what is said (satisfiable)
+};
+Said said_by(const Subject& s, std::optional<std::size_t> only) {
+  Said found;
+  std::vector<const sema::Expr*> plain;
+  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
+    if (only && k != *only) continue;
+    const sema::Monitor& m = s.monitor(k);
+    found.names += (found.names.empty() ? "" : ", ") + quoted(m.name);
+    if (s.told.contains(k)) {
+      found.alone.push_back(m.always.get());
+      found.without_places = true;
+    } else {
+      found.all.push_back({m.always.get(), ahead_at_rest(s, k)});
+      plain.push_back(m.always.get());
+      found.is_needed = found.is_needed || is_choice_at_rest(s.spec, *m.always);
+    }
+    if (!m.return_when) continue;
+    found.all.push_back({m.return_when.get(), seen_at_rest(s, s.decision.motions[k + 1])});
+    plain.push_back(m.return_when.get());
+    found.is_needed = found.is_needed || analysis::is_told(s.spec, *m.return_when);
+    // which side of an `or` a place has been found for, and which inputs, need not be the same
+    const auto at_rest = [&](const sema::Expr& part) { return is_kept_at_rest(s, k, part); };
+    const auto parts = analysis::torn_parts(s.spec, *m.return_when, at_rest);
+    found.alone.insert(found.alone.end(), parts.begin(), parts.end());
+    if (found.torn.empty() && !parts.empty()) found.torn = m.name;
+  }
+  found.is_needed =
+      found.is_needed || !found.alone.empty() || analysis::share_inputs(s.spec, plain);
+  return found;
+}
+
 // Inputs may allow what is asked for of speeds and charges, and a robot at rest has not got it.
 Obligation not_at_rest(const Subject& s, std::optional<std::size_t> only, const std::string& names,
                        analysis::CanBeTold can, Obligation o) {
@@ -63,10 +102,9 @@ Obligation not_at_rest(const Subject& s, std::optional<std::size_t> only, const 
     if (!ahead || !sema::speaks_of_speed(*s.monitor(k).always)) continue;
     mmps = std::max<std::int64_t>(mmps, ceil_to_int(Rational(ahead->speed * 1000)));
   }
-  o.because =
-      "no inputs were found with which a robot at rest is slow enough, and charged, for "
-      "what is said by " +
-      names + ", and asked for to return";
+  o.because = std::string(never ? "there are no inputs" : "no inputs were found") +
+              " with which a robot at rest is slow enough, and charged, for what is said by " +
+              names + ", and asked for to return";
   if (mmps > 0) {
     const std::string least = to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s";
     o.because += ": it may be taken for one of " + least;
@@ -96,72 +134,37 @@ std::string names_of_told(const Subject& s) {
 
 Obligation told_at_once(const Subject& s, std::optional<std::size_t> only, Obligation o) {
   if (o.status != Status::proved) return o;
-  std::vector<analysis::ToHold> said;
-  std::vector<const sema::Expr*> plain, alone;
-  std::string names;
-  bool asks_to_return = false, is_chosen = false;
-  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
-    if (only && k != *only) continue;
-    const sema::Monitor& m = s.monitor(k);
-    if (s.told.contains(k)) {
-      alone.push_back(m.always.get());
-    } else {
-      said.push_back({m.always.get(), ahead_at_rest(s, k)});
-      plain.push_back(m.always.get());
-      is_chosen = is_chosen || is_choice_at_rest(s.spec, *m.always);
-    }
-    if (m.return_when) {
-      said.push_back({m.return_when.get(), seen_at_rest(s, s.decision.motions[k + 1])});
-      plain.push_back(m.return_when.get());
-      asks_to_return = asks_to_return || analysis::is_told(s.spec, *m.return_when);
-    }
-    names += (names.empty() ? "" : ", ") + quoted(m.name);
-  }
-  const bool is_without_places = !alone.empty();
-  // which side of an `or` a place has been found for, and which inputs, need not be the same: those
-  // have to make it true by themselves
-  std::string torn;
-  for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
-    const sema::Monitor& m = s.monitor(k);
-    if ((only && k != *only) || !m.return_when) continue;
-    const auto at_rest = [&](const sema::Expr& part) { return is_kept_at_rest(s, k, part); };
-    const auto parts = analysis::torn_parts(s.spec, *m.return_when, at_rest);
-    alone.insert(alone.end(), parts.begin(), parts.end());
-    if (torn.empty() && !parts.empty()) torn = m.name;
-  }
-  // else each can be so by itself, as is asked of what is said (satisfiable)
-  if (alone.empty() && !asks_to_return && !is_chosen && !analysis::share_inputs(s.spec, plain)) {
-    return o;
-  }
-  const analysis::Told told = analysis::told_at_once(s.spec, said, alone);
+  Said said = said_by(s, only);
+  if (!said.is_needed) return o;
+  const analysis::Told told = analysis::told_at_once(s.spec, said.all, said.alone);
   if (told.can == analysis::CanBeTold::yes) {
     Claim claim{"at_once", {{"decision", s.decision.name}, {"inputs", values_of(s, told.inputs)}}};
     if (only) claim.values["monitor"] = s.decision.monitors[*only].name;
-    if (is_without_places) claim.values["alone"] = names_of_told(s);
+    if (said.without_places) claim.values["alone"] = names_of_told(s);
     if (!told.inputs.empty()) o.because += ", with " + told_text(s.spec, told.inputs);
     o.claims.push_back(std::move(claim));
     return o;
   }
   o.claims.clear();
   o.place_mm = {};
-  if (!torn.empty()) {
+  if (!said.torn.empty()) {
     o.status = Status::unknown;
     o.method = "no proof";
-    o.because = "`return when` of " + quoted(torn) +
+    o.because = "`return when` of " + quoted(said.torn) +
                 " asks for inputs on one side of an `or`, and for something else on another, and "
                 "no inputs were found that make it true by themselves";
     o.repair = "a `return when` without that `or` is needed";
     return o;
   }
-  for (analysis::ToHold& each : said) each.at_rest.reset();
-  if (analysis::told_at_once(s.spec, said, alone).can == analysis::CanBeTold::yes) {
-    return not_at_rest(s, only, names, told.can, std::move(o));
+  for (analysis::ToHold& each : said.all) each.at_rest.reset();
+  if (analysis::told_at_once(s.spec, said.all, said.alone).can == analysis::CanBeTold::yes) {
+    return not_at_rest(s, only, said.names, told.can, std::move(o));
   }
   const bool never = told.can == analysis::CanBeTold::no;  // whatever was so before
   o.status = never ? Status::refuted : Status::unknown;
   o.method = never ? "interval arithmetic" : "no proof";
   o.because = std::string(never ? "no inputs are seen to make" : "no inputs were found that make") +
-              " true at once what is said by " + names + ", and asked for to return";
+              " true at once what is said by " + said.names + ", and asked for to return";
   o.repair = "conditions that do not exclude each other are needed";
   return o;
 }

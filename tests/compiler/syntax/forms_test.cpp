@@ -62,6 +62,8 @@ TEST(Forms, AreThoseOfTheMistake) {
             "the form is `zone free = shrink(room, 30 cm) - pillar;`");
   EXPECT_EQ(help_of("controller c : safe for Cart = route ;"),
             "the form is `route to dock within free speed 0.1 m/s`");
+  EXPECT_EQ(help_of("controller c : safe for K = land speed 0.5 m/s;"),
+            "the form is `land to 0 m speed 0.5 m/s`");
   EXPECT_EQ(
       help_of("controller c : safe for Cart = extern keeps inside z speed <= 1 m/s;"),
       "the form is `controller bought : safe for Cart extern keeps inside room speed <= 1 m/s;`");
