@@ -41,7 +41,7 @@ void run_passes(const Options& options, std::ostream& out, Compilation& c) {
 std::set<analysis::Fault> judge(const sema::Spec& spec, const analysis::Derived& derived,
                                 const diag::Engine& diagnostics, bool turns) {
   return verify::open_obligations(spec, derived.module, derived.tables, diagnostics.all(),
-                                  turns ? check_model : protocol::CheckModel());
+                                  turns ? check_small_model : protocol::CheckModel());
 }
 
 // What is imported has no `spec` line, and must not get one: it is read with what imports it.

@@ -22,6 +22,12 @@ constexpr const char* depth_max = "-m1000000";
 // A run that breaks a claim is told shorter where there is a short one.
 constexpr const char* depth_of_story = "-m400";
 
+// Millions of states: worth the time of the compiler, and in no need of a search that is too deep.
+// Where recoveries are coordinated, fewer monitors have as many.
+bool is_large(const protocol::Model& model) {
+  return model.monitors > (model.coordinated ? 2 : 5);
+}
+
 class Checker {
  public:
   explicit Checker(const protocol::Model& model) : model_(model) {}
@@ -38,9 +44,6 @@ class Checker {
   }
 
  private:
-  // Millions of states: worth the time of the compiler, and in no need of a search that is too
-  // deep. Where recoveries are coordinated, fewer monitors have as many.
-  [[nodiscard]] bool is_large() const { return model_.monitors > (model_.coordinated ? 2 : 5); }
   [[nodiscard]] std::string said() const { return read_file(path("said")).value_or(""); }
   [[nodiscard]] std::string path(const std::string& name) const {
     return folder_.path() + "/" + name;
@@ -69,7 +72,7 @@ class Checker {
     // in two steps, of which a compiler that keeps what it has compiled can leave out the first
     const ProgramResult compiled =
         shell("${CC:-cc} -w -DMEMLIM=" + std::string(memory_mb_max) +
-                  (is_large() ? " -O2" : " -O0") + " -c pan.c && ${CC:-cc} -o pan pan.o",
+                  (is_large(model_) ? " -O2" : " -O0") + " -c pan.c && ${CC:-cc} -o pan pan.o",
               compiler_seconds_max);
     if (compiled.timed_out) return not_ended("the C compiler", compiler_seconds_max);
     if (compiled.started && compiled.status == 0 && is_there("pan")) return "";
@@ -82,8 +85,8 @@ class Checker {
   }
   [[nodiscard]] Answer ask(const std::string& claim) {
     constexpr const char* too_deep = "max search depth too small";
-    ProgramResult result = search(is_large() ? depth_max : depth_first, claim);
-    if (!is_large() && said().find(too_deep) != std::string::npos) {
+    ProgramResult result = search(is_large(model_) ? depth_max : depth_first, claim);
+    if (!is_large(model_) && said().find(too_deep) != std::string::npos) {
       result = search(depth_max, claim);
     }
     const std::string text = said();
@@ -125,6 +128,9 @@ class Checker {
 
 std::vector<Answer> check_model(const protocol::Model& model) {
   return Checker(model).run();
+}
+std::vector<Answer> check_small_model(const protocol::Model& model) {
+  return is_large(model) ? std::vector<Answer>() : check_model(model);
 }
 
 }  // namespace rtac::driver
