@@ -215,11 +215,17 @@ class Report {
     }
     return count > 1 ? all : Within{};
   }
+  // Of an order, which several recoveries may be offered, once.
+  [[nodiscard]] const Tried& tried_of(const Change& change) const {
+    if (change.order.empty() || tried_order_ != change.order) tried_ = attempt_(n_, change);
+    tried_order_ = change.order;
+    return tried_;
+  }
   // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
   // and of another order nobody waits above others for what may never come about.
   [[nodiscard]] bool works(const Change& change, const std::vector<diag::Diagnostic>& found,
                            std::size_t at) const {
-    const Tried tried = attempt_(n_, change);
+    const Tried& tried = tried_of(change);
     if (!change.order.empty() && tried.waits) return false;
     if (trials_ != nullptr && !trials_->shows_no_less(tried.left)) return false;
     const auto same = [](const diag::Diagnostic& a, const diag::Diagnostic& b) {
@@ -243,6 +249,8 @@ class Report {
   Trials* trials_;
   diag::Engine& diagnostics_;
   std::vector<Breach> breaches_;
+  mutable std::vector<std::size_t> tried_order_;
+  mutable Tried tried_;
 };
 
 }  // namespace
