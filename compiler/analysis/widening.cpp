@@ -148,7 +148,9 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (by_mm && !closes_a_gap(exact, *by_mm)) {
-    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "` works" +
+    // in its declaration, so that recoveries move in what is wider, too
+    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`" +
+           (unnamed ? "" : " wherever it is named") + " works" +
            trials.leaves(dial.name, *by_mm, fault);
   }
   return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);

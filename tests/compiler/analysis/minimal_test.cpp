@@ -271,8 +271,8 @@ std::vector<Offer> offers() {
        part(&About::recovery, "\\bspeed +")},
       {"`land to " + number + " m` works", "m", 1000, Beyond::less,
        part(&About::recovery, "land to +")},
-      {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` works", "m", 1000, Beyond::less,
-       grown},
+      {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` wherever it is named works", "m",
+       1000, Beyond::less, grown},
       {"a zone with a ceiling of at most " + number + " m works", "m", 1000, Beyond::more,
        [](const About& a, const std::string& value) {
          const std::string zone = first_group(a.finding.message, "moves within `(\\w+)`");
