@@ -404,8 +404,10 @@ bool comes_down_within(const sema::Spec& spec, const sema::Decision& d, Claims& 
                        const sema::Controller& recovery, const sema::Expr& property,
                        sema::ZoneId zone) {
   if (claims.zones().region(zone) != nullptr) return true;  // at each height
-  const Rational margin = spec[d.kind].radius.value + gap_of(spec, property, zone) +
-                          numbers_of(spec, d, jitter_of(spec, d)).sway;
+  // as it is seen to hold its place there, or another monitor has it led up again
+  const Numbers numbers = numbers_of(spec, d, jitter_of(spec, d));
+  const Rational margin =
+      numbers.radius + gap_of(spec, property, zone) + 2 * numbers.position_error + numbers.hold;
   for (const sema::Template& what : sema::templates_of(recovery)) {
     const auto* land = std::get_if<sema::Land>(&what);
     if (land == nullptr) continue;

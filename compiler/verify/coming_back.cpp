@@ -300,13 +300,21 @@ Obligation keeps_its_height(const Subject& s, std::size_t k, Obligation o) {
   return o;
 }
 
+// Who moves has to come to where its `return when` holds, whatever inputs say.
+bool returns_at_a_place(const ir::Monitor& m) {
+  const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
+  if (!m.return_when || !ir::moves(last) || last == ir::RecoveryKind::yield) return false;
+  const Atoms asked = atoms_of(*m.return_when);
+  return asked.clearance || asked.altitude || asked.charge;
+}
+
 Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
   const Atoms atoms = atoms_of(m.property);
   const bool rests =
       last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && atoms.only_speed());
-  if (atoms.only_facts() || rests) {
+  if ((atoms.only_facts() && !returns_at_a_place(m)) || rests) {
     o.status = Status::proved;
     o.method = "closed form";
     o.because = atoms.only_facts()
