@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/told.h"
 #include "compiler/driver/aims.h"
 #include "compiler/driver/driver.h"
 #include "compiler/driver/files.h"
@@ -211,10 +212,18 @@ class Showing {
     return o.method == verify::by_diagnostic(diag::Code::window_may_pass) ||
            o.method == verify::by_diagnostic(diag::Code::window_without_way_out);
   }
+  // Inputs alone have its recovery drive, and have no part in when control is given back: as they
+  // stay what they are in a run, that would be no matter of where it leads.
+  [[nodiscard]] bool is_asked_for(const std::string& monitor) const {
+    const auto m = std::ranges::find(c_.spec->monitors, monitor, &sema::Monitor::name);
+    return m != c_.spec->monitors.end() && m->return_when && !sema::speaks_of_robot(*m->always) &&
+           analysis::inputs_in(*c_.spec, *m->return_when).empty();
+  }
   // What counts is that its own recovery drives into the violation, and none of those of which it
   // is accepted that they may break the property.
   void blame(const verify::Decision& d, const Obligation& o, Scenario& scenario) const {
     if (!o.unmet.empty()) scenario["unmet"] = o.unmet;
+    if (o.kind == Kind::p2b && is_asked_for(o.monitor)) scenario["unmet"] = o.monitor;
     if (o.in_turns || o.monitor.empty() || about_return(o)) return;
     const sema::Monitor* own = nullptr;
     for (const sema::Decision& written : c_.spec->decisions) {

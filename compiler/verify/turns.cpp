@@ -308,6 +308,13 @@ bool are_alike(const ir::Decision& d, const std::set<std::string>& names) {
   return first != nullptr;
 }
 
+std::string for_ever(const std::set<std::string>& drivers) {
+  std::string names;
+  for (const std::string& name : drivers) names += (names.empty() ? "" : ", ") + quoted(name);
+  return names + (drivers.size() > 1 ? " take over from each other for ever"
+                                     : " drives for one monitor after the other for ever");
+}
+
 Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answer) {
   o.status = Status::unknown;
   if (answer.kind == protocol::Answer::Kind::unknown) {
@@ -318,12 +325,7 @@ Obligation unknown(Obligation o, const Subject& s, const protocol::Answer& answe
   if (answer.drivers.empty()) return o;
   o.in_turns = turns_among(s.decision, answer.drivers);
   o.unmet = asked_by_inputs(s.decision, answer.drivers);
-  std::string names;
-  for (const std::string& name : answer.drivers)
-    names += (names.empty() ? "" : ", ") + quoted(name);
-  o.because += ": in a run of the model " + names +
-               (answer.drivers.size() > 1 ? " take over from each other for ever"
-                                          : " drives for one monitor after the other for ever");
+  o.because += ": in a run of the model " + for_ever(answer.drivers);
   const std::string later = "a `return when` that lets none go sooner than all give control back";
   o.repair = (are_alike(s.decision, answer.drivers)
                   ? later + " is needed, or monitors that ask for one zone"
@@ -473,9 +475,13 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   protocol::Arbitration known = known_turns(s, matrix);
   protocol::Model model = protocol_model(subject, known, s.spec.name);
   Answers answers = check(model);
-  std::string reasons;
-  if (first(answers, protocol::Answer::Kind::broken) != nullptr) {
+  std::string reasons, accepted;
+  if (const auto* broken = first(answers, protocol::Answer::Kind::broken)) {
     reasons = accept(s.decision, known);
+    if (!reasons.empty() && !broken->drivers.empty()) {
+      // which nobody has to have thought of
+      accepted = "; that accepts, too, that in a run of the model " + for_ever(broken->drivers);
+    }
     if (!reasons.empty()) {
       model = protocol_model(subject, known, s.spec.name);
       answers = check(model);
@@ -501,7 +507,7 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
     return o;
   }
   o.status = reasons.empty() ? Status::proved : Status::acknowledged;
-  o.because = !reasons.empty() ? reasons
+  o.because = !reasons.empty() ? reasons + accepted
               : s.decision.on_plan
                   ? "in all runs every request is answered once, by a plan that no monitor refuses"
                   : "in all runs one controller drives, an engaged recovery within its look-ahead, "

@@ -216,5 +216,23 @@ TEST_F(AtRest, RobotsThatAreCountedDoNotPart) {
   EXPECT_EQ(status(o, "P2b", "asked"), "unknown");
 }
 
+// A recovery that inputs alone ask for has to come to where its condition holds, by a way.
+TEST_F(AtRest, WhoIsAskedToComeToAPlaceIsLedThere) {
+  const auto asked = [](const std::string& zone) {
+    const std::string text =
+        edited(room_with("not p", "not p and clearance(r, hall) >= 30 cm"), "controller back",
+               "zone hall = " + zone + ";\ncontroller back");
+    return edited(text, "retreat within room", "retreat within hall");
+  };
+  const std::string one = "rectangle (0 m, 0 m) to (9 m, 9 m)";
+  expect_told_apart(
+      asked(one),
+      asked(one + " | rectangle (8 m, 4 m) to (12 m, 4.4 m) | rectangle (12 m, 4 m) to "
+                  "(12.6 m, 8 m)"),
+      "P2b", "asked", "P2b of `asked`");
+  EXPECT_EQ(verified(asked(one), {"-o", "certificates"}).status, exit_clean);
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

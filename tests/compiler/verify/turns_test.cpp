@@ -70,5 +70,42 @@ TEST_F(Turns, AnOrderWithoutThemIsOffered) {
   EXPECT_EQ(works.status, exit_clean) << works.out << works.err;
 }
 
+// A landing that the fence lifts off again keeps the fence, and is no less in its way.
+TEST_F(Turns, ALandingThatIsLiftedIsDenied) {
+  ASSERT_EQ(
+      verified(edited(page(), "land to 0 m", "land to 0.95 m"), {"-o", "certificates"}).status,
+      exit_clean);
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  write("certificates/sources/spec.rta", edited(page(), "land to 0 m", "land to 0.9 m"));
+  const Outcome denied = recheck_sealed_anew();
+  EXPECT_EQ(denied.status, exit_violation) << denied.out;
+  EXPECT_NE(denied.out.find("the way down of `down` need not lie in `park`"), std::string::npos)
+      << denied.out;
+}
+// Who accepts that one recovery may break what another one is for is told what else that accepts.
+TEST_F(Turns, ThatAreAcceptedAreTold) {
+  const std::string text = R"(spec picker;
+zone grove = rectangle (0 m, 0 m) to (30 m, 12 m);
+zone shade = rectangle (0 m, 0 m) to (10 m, 12 m);
+zone yard = rectangle (20 m, 0 m) to (30 m, 12 m);
+input hot, full : bool max_age 1 s;
+)" + a_rover + R"(controller back : safe for Rover = retreat within grove speed 0.4 m/s;
+controller to_shade : safe for Rover = retreat within shade speed 0.4 m/s;
+controller to_yard : safe for Rover = retreat within yard speed 0.4 m/s;
+monitor fence for r : Rover { "R1" always r inside grove; recover back; }
+monitor heat for r : Rover { "R2" always hot implies r inside shade; recover to_shade; }
+monitor unload for r : Rover { "R3" always full implies r inside yard; recover to_yard; }
+decision go for Rover { advanced drive; period 50 ms; priority fence > heat > unload;
+  acknowledge back may break heat "short"; acknowledge back may break unload "short";
+  acknowledge to_shade may break unload "heat is worse"; }
+)";
+  const Outcome o = verified(text, {"--format", "json"});
+  const Json switching = obligation(o, "switching");
+  EXPECT_EQ(switching["status"], "acknowledged") << o.out;
+  EXPECT_NE(switching.value("because", "").find("that accepts, too, that in a run of the model"),
+            std::string::npos)
+      << switching;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
