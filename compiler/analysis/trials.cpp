@@ -176,10 +176,12 @@ std::ptrdiff_t Trials::left_with(const std::string& dial, std::int64_t steps) co
 std::string Trials::leaves(const std::string& dial, std::int64_t steps, const Fault& fault) const {
   const Faults* const found = known_of(dial, steps);
   if (found == nullptr) return "";
-  std::string names;
+  std::set<std::string> open;  // of several monitors the same once
   for (const std::string& each : open_at(*found, fault)) {
-    names += (names.empty() ? "" : ", ") + each.substr(0, each.find_last_not_of(' ') + 1);
+    open.insert(each.substr(0, each.find_last_not_of(' ') + 1));
   }
+  std::string names;
+  for (const std::string& each : open) names += (names.empty() ? "" : ", ") + each;
   return names.empty() ? "" : " (which leaves " + names + " open)";
 }
 
