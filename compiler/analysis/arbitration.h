@@ -35,6 +35,7 @@ struct Change {
   std::optional<std::pair<std::size_t, std::size_t>> follows{};
   std::optional<std::pair<std::size_t, std::int64_t>> lands{};
   std::optional<Rational> held{}, detour{};
+  bool operator==(const Change&) const = default;
 };
 // That the recovery moves in what all of `parts` have in common instead of `from`.
 struct Within {

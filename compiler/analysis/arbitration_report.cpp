@@ -215,10 +215,10 @@ class Report {
     }
     return count > 1 ? all : Within{};
   }
-  // Of an order, which several recoveries may be offered, once.
+  // What several recoveries may be offered, as an order is, is tried once.
   [[nodiscard]] const Tried& tried_of(const Change& change) const {
-    if (change.order.empty() || tried_order_ != change.order) tried_ = attempt_(n_, change);
-    tried_order_ = change.order;
+    if (change_ != change) tried_ = attempt_(n_, change);
+    change_ = change;
     return tried_;
   }
   // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
@@ -249,7 +249,7 @@ class Report {
   Trials* trials_;
   diag::Engine& diagnostics_;
   std::vector<Breach> breaches_;
-  mutable std::vector<std::size_t> tried_order_;
+  mutable std::optional<Change> change_;  // that was tried last
   mutable Tried tried_;
 };
 
