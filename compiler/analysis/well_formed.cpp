@@ -24,7 +24,7 @@
 #include "compiler/analysis/widening.h"
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/analysis/zones.h"
-#include "compiler/ir/linear.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -323,13 +323,11 @@ class WellFormed {
   // Who goes to be charged has to rest near enough for that.
   void beside_dock(const Decided& of, const ir::Monitor& monitor, const ir::Recovery& way) {
     const std::int64_t off_mm = rests_off_mm(of.decision.body);
-    bool charges = false;
-    ir::for_each_comparison(monitor.property, [&](const ir::Block& block, const ir::AtLeast& c) {
-      charges = charges || ir::charge_for_way(block, c, of.decision.facts.params);
+    if (!way.charges || off_mm <= dock_reach_mm) return;
+    const bool asks = std::ranges::any_of(of.written.priority, [&](sema::MonitorId id) {
+      return spec_[id].name == monitor.name && sema::asks_for_charge(spec_[id]);
     });
-    if (!charges || !way.charges || off_mm <= dock_reach_mm) {
-      return;
-    }
+    if (!asks) return;
     const SourceRange range = source_of(way.site, 0);
     const auto others =
         repairs(of.written, of.trials, fault_of(Code::site_not_returnable, range),

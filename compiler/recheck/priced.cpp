@@ -158,7 +158,8 @@ std::optional<Doubt> check_priced(const sema::Spec& spec, const sema::Decision& 
   const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
   Rational reach;
   if (asks_for_way(m.always.get(), way->site)) {
-    reach = claims.return_clearance(d, m, return_extra(spec, d)) - n.radius;
+    // less the error with which it is measured where it rests: `seen_off` has that
+    reach = claims.return_clearance(d, m, return_extra(spec, d)) - n.radius - n.position_error;
   } else if (asks_for_way(m.return_when.get(), way->site)) {
     reach = n.position_error + moved_at_rest(n, driven_at_most(n, spec[*m.recover]));
   } else {

@@ -346,7 +346,7 @@ class Check {
               const sema::Monitor& m) {
     const sema::Controller& recovery = spec_[*driving.recover];
     follows(d, e, recovery);
-    charged(d, e, recovery, m);
+    if (sema::speaks_of_charge(*m.always)) charged(d, e, recovery);
     std::vector<sema::ZoneId> moves = moves_within(recovery);
     std::erase_if(moves, [&](sema::ZoneId zone) { return stays_put(d, e, driving, m, zone); });
     const Keeping asked = Sides(spec_, d, claims_).keeping(recovery, *m.always);
@@ -440,9 +440,8 @@ class Check {
   }
   // Who goes to be charged has to rest within 15 cm of its dock (language rule 6.7): a way ends no
   // nearer than 2 cm or the position error, and there a robot is held off as far as it sways.
-  void charged(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
-               const sema::Monitor& m) {
-    if (!ends_charged(spec_, d, recovery) || !sema::speaks_of_charge(*m.always)) return;
+  void charged(const sema::Decision& d, const Entry& e, const sema::Controller& recovery) {
+    if (!ends_charged(spec_, d, recovery)) return;
     const Numbers n = numbers_of(spec_, d, jitter_of(spec_, d));
     const Rational off = n.sway + std::max(Rational(n.position_error), Rational(2, 100));
     if (off > Rational(15, 100)) {
@@ -520,7 +519,7 @@ class Check {
     if (asks_at_once(spec_, d, m.name)) {
       need(d, e, "at_once", {{"monitor", m.name}});
     }
-    if (m.recover) charged(d, e, spec_[*m.recover], m);
+    if (m.recover && sema::asks_for_charge(m)) charged(d, e, spec_[*m.recover]);
     if (e.claims.empty()) return fail(whom(d, e) + ": it rests on no claim");
     if (m.recover && !makes_way(spec_[d.kind], d, spec_[*m.recover])) {
       return fail(whom(d, e) + ": `" + spec_[*m.recover].name + "` is too slow to make way");

@@ -115,5 +115,10 @@ inline bool speaks_of_height(const Expr& expr) {
 inline bool speaks_of_charge(const Expr& expr) {
   return speaks_of_signal(expr, Signal::battery);
 }
+// Always, or to give control back.
+inline bool asks_for_charge(const Monitor& monitor) {
+  return speaks_of_charge(*monitor.always) ||
+         (monitor.return_when && speaks_of_charge(*monitor.return_when));
+}
 
 }  // namespace rtac::sema

@@ -11,6 +11,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/ir/linear.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 #include "compiler/verify/about_recovery.h"
 #include "compiler/verify/atoms.h"
@@ -111,7 +112,10 @@ std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
 
 // Why ways over cells may not be those that the recovery takes.
 Doubt doubt_of_ways(const Subject& s, std::size_t k, const ir::Recovery& last) {
-  if (std::string off = off_its_dock(s, last); !off.empty()) return {std::move(off)};
+  if (std::string off = sema::asks_for_charge(s.monitor(k)) ? off_its_dock(s, last) : "";
+      !off.empty()) {
+    return {std::move(off)};
+  }
   if (std::string off = rests_beside_site(s, last); !off.empty()) return {std::move(off)};
   if (std::string cut = cut_short(s, last); !cut.empty()) {
     return {std::move(cut), "fewer vertices are needed, or less clearance that is asked for"};

@@ -292,6 +292,17 @@ decision d for R { advanced a; period 50 ms; priority m; }
       number_in_help(*c, Code::site_not_returnable, "of the position of at most ", "ms");
   EXPECT_TRUE(without_offers(late(most))->module) << most << reports(*c);
   EXPECT_FALSE(without_offers(late(std::to_string(std::stoi(most) + 1)))->module) << most;
+
+  // so is who asks for a charge whatever the way takes, or only to return; not who asks for none
+  const std::string of_way = "r.battery >= energy_to(dock);",
+                    back = " return when r.battery >= 60 %;";
+  const std::string fence = "clearance(r, z) >= 5 cm;";
+  for (const std::string& text :
+       {edited(late("2000"), of_way, "r.battery >= 30 %;"), edited(late("2000"), of_way, fence)}) {
+    EXPECT_TRUE(has(*without_offers(text), Code::site_not_returnable)) << text;
+  }
+  const std::string uncharged = edited(edited(late("2000"), of_way, fence), back, "");
+  EXPECT_TRUE(without_offers(uncharged)->module) << reports(*without_offers(uncharged));
 }
 
 // Wheels that turn slowly need room, which their own limits may be the cause of.

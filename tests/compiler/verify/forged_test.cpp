@@ -171,6 +171,17 @@ TEST_F(Forged, FromAllAroundADockAWayIsKnown) {
   }
 }
 
+// To the millimetre: where the next place is refused, the last one that is proved is accepted.
+TEST_F(Forged, FromAllAroundTheLastDockThatIsProvedAWayIsKnown) {
+  const auto page = [](const std::string& y) {
+    return edited(spec_text("tests/compiler/analysis/dock_in_a_corner.rta"), "(19.7 m, 5.5 m)",
+                  "(19.5 m, " + y + " m)");
+  };
+  prove(page("5.261"));
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  EXPECT_NE(verified(page("5.26")).status, exit_clean);
+}
+
 // Where a recovery ends, and whether it gets there, is read from the specification.
 TEST_F(Forged, AWayEndsWhereControlIsGivenBack) {
   const auto page = [](const std::string& recovery) {
