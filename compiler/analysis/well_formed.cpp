@@ -24,6 +24,7 @@
 #include "compiler/analysis/widening.h"
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/analysis/zones.h"
+#include "compiler/ir/linear.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 
