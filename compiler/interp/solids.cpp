@@ -128,6 +128,7 @@ struct Solids::Evaluate {
     return bound == Bound::within ? zone->shrink(node.error, 0) : zone->grow(node.error, 0);
   }
   Solid area(const sema::ZoneImport::Area& area, Bound of_bound) const {
+    if (area.bands.size() != area.parts.size()) return std::nullopt;  // of the plane
     const Rational farthest = 536'000;  // without a limit: as far as zones reach
     geometry::Solid all;
     for (std::size_t i = 0; i < area.parts.size(); ++i) {

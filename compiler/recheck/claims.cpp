@@ -223,9 +223,8 @@ Found Claims::returns(const Values& v) {
   }
   const auto extra = number(v, "extra_us"), dwell = number(v, "dwell_ticks");
   if (!extra) return wrong("it is not said how far ahead it looks");
-  // rule 10: 50 ms; other claims reckon with it, so that more of it is no better
-  const Rational ticks = d->period ? Rational(Rational(1, 20) / d->period->value) : Rational(0);
-  if (!dwell || Rational(static_cast<long>(*dwell)) != Rational(ceil_to_int(ticks))) {
+  // other claims reckon with it, so that more of it is no better
+  if (!dwell || *dwell != dwell_ticks(*d)) {
     return wrong("control returns after another dwell");
   }
   return std::nullopt;
@@ -335,37 +334,36 @@ Rational sure_gap_of(const sema::Spec& spec, const sema::Expr& property, sema::Z
 
 namespace {
 
+// Of its own alone: how high others are is for who judges them.
+bool speaks_of_own_height(const sema::Expr& comparison) {
+  bool own = false, others = false;
+  sema::for_each_expr(comparison, [&](const sema::Expr& e) {
+    const auto* signal = std::get_if<sema::SignalRef>(&e.node);
+    if (signal == nullptr || signal->signal != sema::Signal::altitude) return;
+    (signal->subject == sema::Subject::self ? own : others) = true;
+  });
+  return own && !others;
+}
 // How far a height is from the limit of a comparison with it that has to be true, or false, to the
 // good side; nullopt: it is none.
-std::optional<Rational> room_of(const sema::Compare& compare, bool value, const Rational& z) {
-  const bool at_least = (compare.op == sema::CompareOp::greater ||
-                         compare.op == sema::CompareOp::greater_equal) == value;
-  const sema::Expr& large = at_least ? *compare.left : *compare.right;
-  const sema::Expr& small = at_least ? *compare.right : *compare.left;
-  const auto is_height = [](const sema::Expr& x) {
-    const auto* signal = std::get_if<sema::SignalRef>(&x.node);
-    return signal != nullptr && signal->signal == sema::Signal::altitude;
-  };
-  if (const auto* least = std::get_if<sema::Constant>(&small.node); least && is_height(large)) {
-    return Rational(z - least->value);
-  }
-  if (const auto* most = std::get_if<sema::Constant>(&large.node); most && is_height(small)) {
-    return Rational(most->value - z);
-  }
-  if (is_height(large) || is_height(small)) return Rational(-1);
-  return std::nullopt;
+std::optional<Rational> room_of(const sema::Spec& spec, const sema::Expr& comparison, bool value,
+                                const Rational& z, Heights which) {
+  if (!speaks_of_own_height(comparison)) return std::nullopt;
+  const auto limit = limit_of_one(spec, comparison, value);
+  if (!limit || limit->of.kind != Measured::Kind::altitude) return Rational(-1);
+  if (limit->at_least) return Rational(z - limit->bound);
+  return which == Heights::all ? std::optional(Rational(limit->bound - z)) : std::nullopt;
 }
 
 // The least room of all limits of height in what has to be true, or false; of what is both, of
 // `iff` and `xor`, on either side.
-std::optional<Rational> room_at(const sema::Expr& e, bool value, const Rational& z) {
-  if (const auto* compare = std::get_if<sema::Compare>(&e.node)) {
-    return room_of(*compare, value, z);
-  }
+std::optional<Rational> room_at(const sema::Spec& spec, const sema::Expr& e, bool value,
+                                const Rational& z, Heights which) {
+  if (std::holds_alternative<sema::Compare>(e.node)) return room_of(spec, e, value, z, which);
   const auto* logic = std::get_if<sema::Logic>(&e.node);
   std::optional<Rational> least;
   const auto count = [&](const sema::Expr& operand, bool wanted) {
-    const auto room = room_at(operand, wanted, z);
+    const auto room = room_at(spec, operand, wanted, z, which);
     if (room && (!least || *room < *least)) least = *room;
   };
   bool first = true;
@@ -383,8 +381,9 @@ std::optional<Rational> room_at(const sema::Expr& e, bool value, const Rational&
 
 }  // namespace
 
-bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap) {
-  const auto room = room_at(property, value, z);
+bool keeps_heights(const sema::Spec& spec, const sema::Expr& property, bool value,
+                   const Rational& z, const Rational& gap, Heights which) {
+  const auto room = room_at(spec, property, value, z, which);
   return !room || *room >= gap;
 }
 

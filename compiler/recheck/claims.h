@@ -113,8 +113,11 @@ Rational sure_gap_of(const sema::Spec& spec, const sema::Expr& property, sema::Z
 inline bool is_unsound(const sema::Ahead& ahead) {
   return ahead.duration_unsound || !ahead.unsound_reason.empty();
 }
-// Whether a property allows a height, with `gap` to spare of each of its limits.
-bool keeps_heights(const sema::Expr& property, bool value, const Rational& z, const Rational& gap);
+// Whether a property that has to be true, or false, allows a height, with `gap` to spare of each of
+// its limits, or of those from below. What is not read as one allows none.
+enum class Heights { all, from_below };
+bool keeps_heights(const sema::Spec& spec, const sema::Expr& property, bool value,
+                   const Rational& z, const Rational& gap, Heights which = Heights::all);
 // The zones that a recovery moves within, of all of its steps.
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
 

@@ -384,7 +384,11 @@ bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& 
   const Rational sway = numbers_of(spec, d, jitter).sway;
   for (const sema::Template& what : sema::templates_of(recovery)) {
     const auto* land = std::get_if<sema::Land>(&what);
-    if (land != nullptr && !keeps_heights(property, true, land->height.value, sway)) return false;
+    // it leads down, and holds who is lower
+    if (land != nullptr &&
+        !keeps_heights(spec, property, true, land->height.value, sway, Heights::from_below)) {
+      return false;
+    }
   }
   const bool claimed = sema::claim_of(recovery).has_value();
   for (const sema::ZoneId zone : moves_within(recovery)) {
@@ -393,7 +397,8 @@ bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& 
     const auto solid = claims.zones().solid(zone);
     if (!solid || solid->empty()) return false;
     const Rational &low = solid->slabs().front().floor, &high = solid->slabs().back().ceiling;
-    if (!keeps_heights(property, true, low, 0) || !keeps_heights(property, true, high, 0)) {
+    if (!keeps_heights(spec, property, true, low, 0) ||
+        !keeps_heights(spec, property, true, high, 0)) {
       return false;
     }
   }

@@ -81,7 +81,11 @@ class JointReturn {
       if (c.what == "place") height = text(c.values, "z_mm");
     }
     for (const sema::MonitorId id : d_.priority) {
-      if (asks(id)) in_its_zones(spec_[id], told, named);
+      if (!asks(id)) continue;
+      in_its_zones(spec_[id], told, named);
+      if (too_fast_at_rest(spec_, d_, claims_, spec_[id])) {
+        fail("who rests may be too fast for `" + spec_[id].name + "` to give control back");
+      }
     }
     if (places.empty()) need("no_fences");
     const bool asked = std::any_of(d_.priority.begin(), d_.priority.end(), [&](sema::MonitorId id) {

@@ -100,6 +100,11 @@ Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision) {
   return jitter;
 }
 
+std::int64_t dwell_ticks(const sema::Decision& decision) {
+  if (!decision.period) return 0;
+  return ceil_to_int(Rational(Rational(1, 20) / decision.period->value));
+}
+
 Rational return_extra(const sema::Spec& spec, const sema::Decision& decision) {
   const Rational period = value(decision.period);
   const bool commands = std::ranges::any_of(

@@ -32,6 +32,9 @@ Rational jitter_of(const sema::Spec& spec, const sema::Decision& decision);
 // How much further ahead than the check the test looks that gives control back: a period, and where
 // commands are judged four of them, 200 ms at most and a period at least (language, ahead command).
 Rational return_extra(const sema::Spec& spec, const sema::Decision& decision);
+// Ticks that a return condition has to hold before control is given back, 50 ms (language rule 10);
+// 0 where nothing is decided by the clock.
+std::int64_t dwell_ticks(const sema::Decision& decision);
 
 // By how much a robot is faster than its recovery means to be where something pushes it: its
 // velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).

@@ -185,7 +185,7 @@ Found Claims::height(const Values& v) {
     if (sema::speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
       return wrong("a robot at rest with that clearance may not be given back");
     }
-    if (keeps_heights(*spec_[id].always, true, milli(*z), room)) continue;
+    if (keeps_heights(spec_, *spec_[id].always, true, milli(*z), room)) continue;
     return wrong("`" + spec_[id].name + "` needs another height");
   }
   return std::nullopt;
@@ -229,7 +229,7 @@ Found Claims::landing(const Values& v) {
   if (milli(*gap) < return_clearance(*d, *m, micro(*extra))) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
-  const bool high = !keeps_heights(*m->always, true, milli(*end), milli(*gap));
+  const bool high = !keeps_heights(spec_, *m->always, true, milli(*end), milli(*gap));
   bool elsewhere = !all_zones(*m->always).empty() || judges_robots(spec_, *d, *m->always);
   sema::for_each_expr(*m->always, [&](const sema::Expr& e) {
     const auto* const signal = std::get_if<sema::SignalRef>(&e.node);

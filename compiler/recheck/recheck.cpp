@@ -132,8 +132,12 @@ class Check {
            claim.what == "protocol" ? turns(d, part, claim, !proved) : claims_.check(claim));
     }
   }
-  // Of its own recovery not everything.
+  // Of its own recovery not everything, and no limit of speed that lets nobody go who rests.
   void acceptable(const sema::Decision& d, const Entry& e) {
+    const sema::Monitor* const back = e.kind == "P2b" ? monitor(d, e.monitor) : nullptr;
+    if (back != nullptr && !back->hold_reason && too_fast_at_rest(spec_, d, claims_, *back)) {
+      return fail(whom(d, e) + ": who rests may be too fast for it to give control back");
+    }
     const sema::Monitor* const m = e.kind == "P2a" ? monitor(d, e.monitor) : nullptr;
     if (m == nullptr || d.on_plan) return;
     if (const auto doubt = leads_elsewhere(spec_, d, claims_, *m)) {
@@ -453,8 +457,8 @@ class Check {
     fail(whom(d, e) + ": its brake is too weak to follow the hold of `" + recovery.name + "`");
   }
   void as_slow(const sema::Decision& d, const Entry& e, const sema::Controller& recovery,
-               const sema::Monitor& m) {
-    if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always)) return;
+               const sema::Monitor& m, bool taken_over) {
+    if (Sides(spec_, d, claims_).keeps_limits(recovery, *m.always, taken_over)) return;
     fail(whom(d, e) + ": `" + recovery.name + "` drives faster than `" + m.name + "` allows");
   }
   // An agent that comes near a robot that its recovery has stopped finds it slow enough.
@@ -471,7 +475,7 @@ class Check {
     need(d, e, "recovery", {{"monitor", m.name}});
     if (m.recover) {
       within(d, e, m, m);
-      as_slow(d, e, spec_[*m.recover], m);
+      as_slow(d, e, spec_[*m.recover], m, false);
       if (sema::speaks_of_charge(*m.always) &&
           !goes_to_be_charged(spec_, d, spec_[*m.recover], *m.always)) {
         fail(whom(d, e) + ": nobody accounts for the charge that `" + spec_[*m.recover].name +
@@ -601,7 +605,7 @@ class Check {
         fail(whom(d, e) + ": others may break it, and nobody takes over");
       }
       within(d, e, driving, m);
-      as_slow(d, e, spec_[*driving.recover], m);
+      as_slow(d, e, spec_[*driving.recover], m, takes_over(d, m, driving));
       if (driving.recover != m.recover && spends_charge(spec_, d, claims_, driving, *m.always)) {
         need(d, e, "lasts", {{"monitor", driving.name}});
         if (const auto why = takes_too_much(spec_, d, part, m, e.recovery))

@@ -213,15 +213,17 @@ class Condition {
   bool height() {
     if (at_) {
       const Rational errs = seen(0) - numbers_.radius;
-      return z_ && keeps_heights(*monitor_.return_when, true, *z_, errs);
+      return z_ && keeps_heights(spec_, *monitor_.return_when, true, *z_, errs);
     }
     const auto within = moves_within(recovery_);
     if (within.empty()) return false;
     const auto solid = claims_.zones().solid(within.back());
     if (!solid || solid->slabs().empty()) return false;
     const Rational errs = seen(0) - numbers_.radius, rest = left_ - errs;
-    return keeps_heights(*monitor_.return_when, true, solid->slabs().front().floor + rest, 0) &&
-           keeps_heights(*monitor_.return_when, true, solid->slabs().back().ceiling - rest, 0);
+    return keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().front().floor + rest,
+                         0) &&
+           keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().back().ceiling - rest,
+                         0);
   }
   // It goes on in laps where it has been led to; at a place it stays.
   [[nodiscard]] bool loiters() const {

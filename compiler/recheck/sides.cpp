@@ -16,22 +16,11 @@ namespace {
 // What is known of offsets from inside and outside (geometry/region.h).
 const Rational offsets_round(3, 1000);
 
-// The limit of `r.speed <= c`, or of a comparison that is false.
-std::optional<Rational> most_speed(const sema::Expr& e, bool value, bool& strict) {
-  const auto* compare = std::get_if<sema::Compare>(&e.node);
-  if (compare == nullptr) return std::nullopt;
-  using Op = sema::CompareOp;
-  const bool at_most = (compare->op == Op::less || compare->op == Op::less_equal) == value;
-  strict = (compare->op == Op::less || compare->op == Op::greater) == value;
-  const sema::Expr& small = at_most ? *compare->left : *compare->right;
-  const sema::Expr& large = at_most ? *compare->right : *compare->left;
-  const auto* speed = std::get_if<sema::SignalRef>(&small.node);
-  const auto* most = std::get_if<sema::Constant>(&large.node);
-  if (speed == nullptr || most == nullptr || speed->signal != sema::Signal::speed ||
-      speed->subject != sema::Subject::self) {
-    return std::nullopt;
-  }
-  return most->value;
+// The limit of its own speed that a comparison asks for, which has to be true, or false.
+std::optional<LimitOfOne> most_speed(const sema::Spec& spec, const sema::Expr& e, bool value) {
+  const auto limit = limit_of_one(spec, e, value);
+  const bool is_one = limit && !limit->at_least && limit->of.kind == Measured::Kind::speed;
+  return is_one ? limit : std::nullopt;
 }
 
 // That one comparison says what the other one denies: `a <= b` and `a > b`, or `b < a`.
@@ -197,9 +186,10 @@ std::optional<Rational> Sides::claimed_speed_of(const sema::Controller& recovery
   return speed_of(recovery);
 }
 
-bool Sides::keeps_limits(const sema::Controller& recovery, const sema::Expr& property) {
+bool Sides::keeps_limits(const sema::Controller& recovery, const sema::Expr& property,
+                         bool taken_over) {
   const auto speed = claimed_speed_of(recovery);
-  return speed && within_limits(plain({&property, true}), *speed);
+  return speed && within_limits(plain({&property, true}), *speed, taken_over);
 }
 
 bool Sides::holds_of_slow(const sema::Controller& recovery, const sema::Expr& property) {
@@ -207,16 +197,22 @@ bool Sides::holds_of_slow(const sema::Controller& recovery, const sema::Expr& pr
   return speed && slow(plain({&property, true}), *speed);
 }
 
-// An `or` with zones is kept as the zones say, and one with inputs by who takes over.
-bool Sides::within_limits(const Part& part, const Rational& speed) {
+// An `or` with zones is kept as the zones say, and one with inputs where another recovery takes
+// over.
+bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_over) {
   const Split parts = split(part);
   if (parts.all) {
     return std::all_of(parts.parts.begin(), parts.parts.end(),
-                       [&](const Part& each) { return within_limits(each, speed); });
+                       [&](const Part& each) { return within_limits(each, speed, taken_over); });
   }
-  bool strict = false;
-  if (!parts.any) return !most_speed(*part.expr, part.value, strict) || slow(part, speed);
-  bool limits = false, other = speaks_of_inputs(part) || !all_zones(*part.expr).empty();
+  if (const auto body = of_each(part)) return within_limits(*body, speed, taken_over);
+  if (!parts.any) {
+    const bool asks =
+        std::holds_alternative<sema::Compare>(part.expr->node) && sema::speaks_of_speed(*part.expr);
+    return !asks || slow(part, speed);
+  }
+  bool limits = false;
+  bool other = (taken_over && speaks_of_inputs(part)) || !all_zones(*part.expr).empty();
   sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
     limits = limits || (signal != nullptr && signal->signal == sema::Signal::speed);
@@ -249,9 +245,8 @@ bool Sides::waits(const Part& part, const Rational& from_rest) {
   const auto is = [&](const Part& each) { return waits(each, from_rest); };
   if (parts.all) return std::any_of(parts.parts.begin(), parts.parts.end(), is);
   if (parts.any) return std::all_of(parts.parts.begin(), parts.parts.end(), is);
-  bool strict = false;
-  const auto most = most_speed(*part.expr, part.value, strict);
-  return most && from_rest > *most;
+  const auto most = most_speed(spec_, *part.expr, part.value);
+  return most && from_rest > most->bound;
 }
 
 // Whatever inputs say: with one of them true and false, until none is left of which it matters.
@@ -296,9 +291,8 @@ bool Sides::slow_if(const Part& part, const Rational& speed, const Told& told) {
   if (parts.all) return std::ranges::all_of(parts.parts, is);
   if (parts.any) return std::ranges::any_of(parts.parts, is);
   if (const auto said = as_told(part, told)) return *said;
-  bool strict = false;
-  const auto most = most_speed(*part.expr, part.value, strict);
-  return most && (strict ? speed < *most : speed <= *most);
+  const auto most = most_speed(spec_, *part.expr, part.value);
+  return most && (most->strict ? speed < most->bound : speed <= most->bound);
 }
 
 // All of it, or one side of an `or`, asks for no more than to be slow.
@@ -443,9 +437,8 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
     return robots_ < 2 && others->universal == part.value ? Back::yes : Back::no;
   }
   if (sema::speaks_of<sema::CountOthers>(*part.expr) && robots_ > 1) return Back::no;
-  bool strict = false;
-  if (const auto most = most_speed(*part.expr, part.value, strict)) {
-    return rests.from_rest <= *most ? Back::yes : Back::slow;
+  if (const auto most = most_speed(spec_, *part.expr, part.value)) {
+    return rests.from_rest <= most->bound ? Back::yes : Back::slow;
   }
   const bool high = sema::speaks_of_height(*part.expr);
   const auto zones = all_zones(*part.expr);
@@ -461,8 +454,8 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
     if (!solid || solid->slabs().empty()) return Back::no;
     const Rational low = solid->slabs().front().floor + rests.clearance;
     const Rational top = solid->slabs().back().ceiling - rests.clearance;
-    return keeps_heights(*part.expr, part.value, low, rests.clearance) &&
-                   keeps_heights(*part.expr, part.value, top, rests.clearance)
+    return keeps_heights(spec_, *part.expr, part.value, low, rests.clearance) &&
+                   keeps_heights(spec_, *part.expr, part.value, top, rests.clearance)
                ? Back::yes
                : Back::no;
   }
@@ -481,6 +474,12 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
                      })
              ? Back::yes
              : Back::no;
+}
+
+bool too_fast_at_rest(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                      const sema::Monitor& m) {
+  return Sides(spec, decision, claims)
+      .is_exceeded_at_rest(*m.always, m, return_extra(spec, decision));
 }
 
 }  // namespace rtac::recheck

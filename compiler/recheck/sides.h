@@ -31,8 +31,8 @@ class Sides {
   // alone, of each of these.
   bool straight_between(const std::vector<std::vector<sema::ZoneId>>& either);
   // That a recovery is no faster than the limits of a property that count wherever the robot is,
-  // and whatever it is told.
-  bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property);
+  // and whatever it is told, unless another recovery takes over.
+  bool keeps_limits(const sema::Controller& recovery, const sema::Expr& property, bool taken_over);
   // That a property holds of whoever drives as slowly as a recovery, wherever and whatever it is
   // told.
   bool holds_of_slow(const sema::Controller& recovery, const sema::Expr& property);
@@ -78,17 +78,17 @@ class Sides {
   [[nodiscard]] std::optional<Rational> claimed_speed_of(const sema::Controller& recovery) const;
   // The same of one that means to drive at `speed`.
   [[nodiscard]] Rational while_driving(const Rational& speed) const;
-  bool within_limits(const Part& part, const Rational& speed);
+  bool within_limits(const Part& part, const Rational& speed, bool taken_over);
   bool slow(const Part& part, const Rational& speed);
   // What inputs are taken to say.
   using Told = std::vector<std::pair<const sema::Expr*, bool>>;
   bool slow(const Part& part, const Rational& speed, Told& told);
-  static bool slow_if(const Part& part, const Rational& speed, const Told& told);
+  bool slow_if(const Part& part, const Rational& speed, const Told& told);
   static std::optional<bool> as_told(const Part& part, const Told& told);
   // The first that they say nothing of; null: there is none.
   static const sema::Expr* said_by_inputs(const Part& part, const Told& told);
   bool slow_while_told(const Part& part, const Rational& speed, const Rational& from_rest);
-  static bool waits(const Part& part, const Rational& from_rest);
+  bool waits(const Part& part, const Rational& from_rest);
   bool slow_side(const Part& part, const Rational& speed);
   bool zones_of(const Part& part, std::vector<sema::ZoneId>& zones);
   // Every disc in the zone lies in one of the zones.
@@ -112,5 +112,10 @@ class Sides {
   Numbers numbers_;
   int robots_ = 0;
 };
+
+// Whether a robot at rest may exceed what a monitor allows, wherever it is and whatever it is told,
+// as far as that looks ahead.
+bool too_fast_at_rest(const sema::Spec& spec, const sema::Decision& decision, Claims& claims,
+                      const sema::Monitor& m);
 
 }  // namespace rtac::recheck

@@ -119,6 +119,20 @@ std::optional<Sum> excess(const sema::Spec& spec, const sema::Expr& comparison) 
                : difference(spec, *compare->right, *compare->left);
 }
 
+std::optional<LimitOfOne> limit_of_one(const sema::Spec& spec, const sema::Expr& comparison,
+                                       bool value) {
+  const auto* compare = std::get_if<sema::Compare>(&comparison.node);
+  if (compare == nullptr) return std::nullopt;
+  using Op = sema::CompareOp;
+  const bool above = (compare->op == Op::greater || compare->op == Op::greater_equal) == value;
+  const bool strict = (compare->op == Op::greater || compare->op == Op::less) == value;
+  const auto sum = above ? difference(spec, *compare->left, *compare->right)
+                         : difference(spec, *compare->right, *compare->left);
+  if (!sum || sum->terms.size() != 1) return std::nullopt;
+  const auto& [of, by] = *sum->terms.begin();
+  return LimitOfOne{of, by > 0, Rational(-sum->least / by), strict};
+}
+
 std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison) {
   const auto sum = excess(spec, comparison);
   if (!sum || sum->terms.size() != 1) return std::nullopt;

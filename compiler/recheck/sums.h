@@ -29,6 +29,16 @@ std::optional<Sum> difference(const sema::Spec& spec, const sema::Expr& large,
 
 // What a comparison asks to be 0 or more, or above it; nullopt: it is no such sum.
 std::optional<Sum> excess(const sema::Spec& spec, const sema::Expr& comparison);
+// What a comparison that has to be true, or false, asks of one thing that is measured: at least so
+// much, or at most, whatever its parameters become. none: it asks for something else.
+struct LimitOfOne {
+  Measured of;
+  bool at_least;
+  Rational bound;
+  bool strict;
+};
+std::optional<LimitOfOne> limit_of_one(const sema::Spec& spec, const sema::Expr& comparison,
+                                       bool value = true);
 // The distance to another robot that a comparison asks for at least, whatever its parameters
 // become; none: it asks for something else.
 std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison);

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "compiler/interp/number.h"
+#include "compiler/recheck/numbers.h"
 #include "compiler/sema/templates.h"
 
 namespace rtac::recheck {
@@ -313,9 +314,7 @@ namespace {
 
 // It is seen for 50 ms, and a period before and after (language rule 10).
 Rational seen_for(const sema::Decision& decision) {
-  const Rational period = decision.period->value;
-  const Rational dwell(ceil_to_int(Rational(Rational(1, 20) / period)));
-  return (dwell + 2) * period;
+  return (Rational(static_cast<long>(dwell_ticks(decision))) + 2) * decision.period->value;
 }
 
 // What comes before and after it has driven.

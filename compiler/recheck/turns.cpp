@@ -223,8 +223,10 @@ class Turns {
     if (!left_mm || !solid || solid->slabs().empty()) return false;
     const Rational left = Rational(*left_mm) / 1000;
     const Rational gap = claims_.return_clearance(d_, monitor(j), extra());
-    return keeps_heights(*monitor(j).always, true, solid->slabs().front().floor + left, gap) &&
-           keeps_heights(*monitor(j).always, true, solid->slabs().back().ceiling - left, gap);
+    return keeps_heights(spec_, *monitor(j).always, true, solid->slabs().front().floor + left,
+                         gap) &&
+           keeps_heights(spec_, *monitor(j).always, true, solid->slabs().back().ceiling - left,
+                         gap);
   }
   // One side of it may be what rest settles, and another one what a place does: it is not known
   // which of them holds. Where inputs are all that the other sides ask, the one that is settled
@@ -351,7 +353,7 @@ std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d
   }
   protocol::Subject subject = turns.subject();
   const auto dwell = number(claim.values, "dwell_ticks");
-  if (!d.on_plan && (!dwell || *dwell < 1)) return Doubt{true, "control returns without a dwell"};
+  if (!d.on_plan && dwell != dwell_ticks(d)) return Doubt{true, "control returns after another dwell"};
   subject.dwell_ticks = dwell.value_or(0);
   return prove(protocol_model(subject, taken, spec.name));
 }
