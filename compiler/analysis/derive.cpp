@@ -467,13 +467,13 @@ class Deriver {
                      const Rational& least) {
     const sema::RobotKind& kind = spec_[decision.kind];
     std::vector<diag::Note> notes;
-    if (kind.velocity) {
+    if (kind.velocity && !kind.in_space) {
       notes.push_back(
           {kind.velocity->error.range,
            "its velocity errs by up to " + to_decimal(kind.velocity->error.value) + " m/s"});
     }
-    const Rational pushed =
-        pushed_speed(kind, ceil_to_int(Rational(decision.period->value * 1'000'000)));
+    const std::int64_t period_us = ceil_to_int(Rational(decision.period->value * 1'000'000));
+    const Rational pushed = pushed_speed(kind, period_us);
     if (pushed > 0) {
       notes.push_back(
           {kind.motion.disturbance ? kind.motion.disturbance->range : kind.output_error->range,
@@ -483,12 +483,14 @@ class Deriver {
     // is
     std::vector<std::string> works;
     const Rational faster(ceil_to_int(Rational(least * 1000)), 1000);
-    if (faster <= kind.motion.speed.value) {
+    const auto makes_way = [](const sema::RobotKind& k, std::int64_t us, const Rational& speed) {
+      return least_speed(k, us) <= speed && (!k.in_space || speed <= follows_up_to(k, us));
+    };
+    if (faster <= kind.motion.speed.value && makes_way(kind, period_us, faster)) {
       works.push_back("a speed of at least " + to_decimal(faster) + " m/s");
     } else {
-      works =
-          repairs(decision, trials(), fault_of(Code::limit_contradictory, c.name_range),
-                  [&](const Trial& t) { return least_speed(t.kind, t.decision.period_us) <= own; });
+      works = repairs(decision, trials(), fault_of(Code::limit_contradictory, c.name_range),
+                      [&](const Trial& t) { return makes_way(t.kind, t.decision.period_us, own); });
     }
     diagnostics_.report({Code::limit_contradictory,
                          c.name_range,

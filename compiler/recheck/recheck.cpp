@@ -258,6 +258,15 @@ class Check {
     }
     seen_beside_zones(d, e, m);
   }
+  // How clear a place is of a zone, or how far from it, at most.
+  [[nodiscard]] bool asks_for_at_most(const sema::Expr& e) const {
+    const auto* const compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr) return false;
+    if (const auto limit = limit_of_one(spec_, e)) return !limit->at_least;
+    using Op = sema::CompareOp;
+    const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
+    return all_zones(above ? *compare->left : *compare->right).empty();
+  }
   // It is true at a place that is claimed, or at one where no zone is asked for, with inputs as
   // they are said to be: in those zones, and in no other one.
   void as_a_whole(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
@@ -281,6 +290,8 @@ class Check {
             const bool lies = std::ranges::any_of(zones, [&](sema::ZoneId zone) {
               return at.second.contains(claims_.zones().name(zone));
             });
+            // how far it is at most says nothing where the place is not known to lie
+            if (!zones.empty() && asks_for_at_most(leaf)) return !(lies && value);
             if (!zones.empty()) return lies == value;
             return !value && is_told(spec_, *m.always) && judges_robots(spec_, d, leaf);
           });

@@ -59,7 +59,12 @@ class Travel {
     steers_ = std::min(kind.motion.accel.value, kind.motion.brake.value) - pushes;
     brakes_ = kind.motion.brake.value - pushes;
   }
-  [[nodiscard]] bool gets_on() const { return speed_ > taken_ && steers_ > 0 && brakes_ > 0; }
+  // In space the place of a hold moves, whatever its velocity errs.
+  [[nodiscard]] bool gets_on() const {
+    const Rational errs = kind_.velocity ? kind_.velocity->error.value : Rational(0);
+    const bool makes_way = kind_.in_space ? speed_ >= taken_ - errs : speed_ > taken_;
+    return makes_way && steers_ > 0 && brakes_ > 0;
+  }
   // A leg begins at each cell at most, and turns by an eighth of a circle there, by half a circle
   // at the start. It rests and looks before it sets out, once at its end, and where a piece of the
   // way ends.

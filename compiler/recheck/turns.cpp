@@ -353,7 +353,8 @@ std::optional<Doubt> check_turns(const sema::Spec& spec, const sema::Decision& d
   }
   protocol::Subject subject = turns.subject();
   const auto dwell = number(claim.values, "dwell_ticks");
-  if (!d.on_plan && dwell != dwell_ticks(d)) return Doubt{true, "control returns after another dwell"};
+  if (!d.on_plan && dwell != dwell_ticks(d))
+    return Doubt{true, "control returns after another dwell"};
   subject.dwell_ticks = dwell.value_or(0);
   return prove(protocol_model(subject, taken, spec.name));
 }
