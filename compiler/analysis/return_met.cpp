@@ -1,6 +1,7 @@
 #include "compiler/analysis/return_met.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "compiler/analysis/limits.h"
@@ -14,6 +15,54 @@ namespace rtac::analysis {
 namespace {
 
 using How = ir::Returns::How;
+
+// Of what inputs say: whatever they said before, they may say it again. That is not so of what
+// one moment decides for ever.
+class ComesAgain {
+ public:
+  explicit ComesAgain(const ir::Block& block) : block_(block) {}
+
+  // `value`: to be true or false; none: either.
+  bool is_so(ir::ValueId id, std::optional<bool> value) {
+    const int which = !value ? 2 : *value ? 1 : 0;
+    const auto known = known_.find({id, which});
+    if (known != known_.end()) return known->second;
+    const bool found = find(id, value);
+    known_.emplace(std::pair(id, which), found);
+    return found;
+  }
+
+ private:
+  bool find(ir::ValueId id, std::optional<bool> value) {
+    const ir::Op& op = block_[id].op;
+    const auto* const once = std::get_if<ir::Once>(&op);
+    const auto* const always = std::get_if<ir::Historically>(&op);
+    const auto* const of = std::get_if<ir::Aggregate>(&op);
+    if (once != nullptr && once->window.to < 0 && !value.value_or(false)) return false;
+    if (always != nullptr && always->window.to < 0 && value.value_or(true)) return false;
+    if (of != nullptr && of->window.to < 0) return false;
+    if (std::holds_alternative<ir::Elapsed>(op)) return value.value_or(true);
+    const bool either = std::holds_alternative<ir::Or>(op),
+               both = std::holds_alternative<ir::And>(op);
+    const bool plain = either || both || once != nullptr || always != nullptr ||
+                       std::holds_alternative<ir::HeldFor>(op) ||
+                       std::holds_alternative<ir::Previously>(op) ||
+                       std::holds_alternative<ir::Since>(op);
+    std::optional<bool> of_sides = plain ? value : std::nullopt;
+    if (std::holds_alternative<ir::Not>(op) && value) of_sides = !*value;
+    bool all = true, any = false;
+    ir::for_each_operand(op, [&](ir::ValueId side) {
+      const bool again = is_so(side, of_sides);
+      all = all && again;
+      any = any || again;
+    });
+    const bool one_will_do = value && ((either && *value) || (both && !*value));
+    return one_will_do ? any : all;
+  }
+
+  const ir::Block& block_;
+  std::map<std::pair<ir::ValueId, int>, bool> known_;
+};
 
 class Met {
  public:
@@ -98,36 +147,7 @@ class Met {
   Part of_fact(const ir::Fact& fact) {
     const ir::Block& judged = decision_.facts.monitors[fact.index].property;
     if (fact.of_robot) return of(judged, judged.result);
-    return {comes_again(judged, judged.result, !turned_) ? How::told : How::open};
-  }
-  // Of what inputs say: whatever they said before, they may say it again. That is not so of what
-  // one moment decides for ever.
-  // `value`: to be true or false; none: either.
-  static bool comes_again(const ir::Block& block, ir::ValueId id, std::optional<bool> value) {
-    const ir::Op& op = block[id].op;
-    const auto* const once = std::get_if<ir::Once>(&op);
-    const auto* const always = std::get_if<ir::Historically>(&op);
-    const auto* const of = std::get_if<ir::Aggregate>(&op);
-    if (once != nullptr && once->window.to < 0 && !value.value_or(false)) return false;
-    if (always != nullptr && always->window.to < 0 && value.value_or(true)) return false;
-    if (of != nullptr && of->window.to < 0) return false;
-    if (std::holds_alternative<ir::Elapsed>(op)) return value.value_or(true);
-    const bool either = std::holds_alternative<ir::Or>(op),
-               both = std::holds_alternative<ir::And>(op);
-    const bool plain = either || both || once != nullptr || always != nullptr ||
-                       std::holds_alternative<ir::HeldFor>(op) ||
-                       std::holds_alternative<ir::Previously>(op) ||
-                       std::holds_alternative<ir::Since>(op);
-    std::optional<bool> of_sides = plain ? value : std::nullopt;
-    if (std::holds_alternative<ir::Not>(op) && value) of_sides = !*value;
-    bool all = true, any = false;
-    ir::for_each_operand(op, [&](ir::ValueId side) {
-      const bool again = comes_again(block, side, of_sides);
-      all = all && again;
-      any = any || again;
-    });
-    const bool one_will_do = value && ((either && *value) || (both && !*value));
-    return one_will_do ? any : all;
+    return {ComesAgain(judged).is_so(judged.result, !turned_) ? How::told : How::open};
   }
   static Part both(const Part& a, const Part& b) {
     Part all{std::max(a.how, b.how), a.stuck.unite(b.stuck)};

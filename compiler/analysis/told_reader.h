@@ -115,7 +115,11 @@ class Reader {
 
   // `suits`: what anything is that robots sense. Of what nobody knows it is open.
   [[nodiscard]] Truth3 truth(const sema::Expr& e, bool suits) const {
-    return std::visit([&](const auto& node) { return says(node, e, suits); }, e.node);
+    const auto [at, is_new] = truths_.try_emplace({&e, suits}, Truth3::open);
+    if (is_new) {
+      at->second = std::visit([&](const auto& node) { return says(node, e, suits); }, e.node);
+    }
+    return at->second;
   }
 
  private:
@@ -189,7 +193,7 @@ class Reader {
   [[nodiscard]] Truth3 charged(const sema::Compare& v, const sema::Expr& e, bool suits) const {
     bool open = false;
     for (const Rational& charge : {Rational(0), rest_->charge}) {
-      Reader best = *this;
+      Reader best(spec_, variables_, box_, ever_, stays_, rest_);
       best.charge_ = charge;
       const Number a = best.number(*v.left), b = best.number(*v.right);
       if (!a || !b) return unknown(e, suits);
@@ -333,7 +337,9 @@ class Reader {
   }
 
   [[nodiscard]] Number number(const sema::Expr& e) const {
-    return std::visit([&](const auto& node) { return value(node); }, e.node);
+    const auto [at, is_new] = numbers_.try_emplace(&e);
+    if (is_new) at->second = std::visit([&](const auto& node) { return value(node); }, e.node);
+    return at->second;
   }
   static Number value(const sema::Constant& v) { return Span{v.value, v.value}; }
   [[nodiscard]] Number value(const sema::InputRef& v) const { return of(v); }
@@ -430,6 +436,9 @@ class Reader {
   bool stays_;
   const SeenAtRest* rest_;
   std::optional<Rational> charge_{};  // that is tried
+  // What has been found: a condition may be asked about several times by each one around it.
+  mutable std::map<std::pair<const sema::Expr*, bool>, Truth3> truths_{};
+  mutable std::map<const sema::Expr*, Number> numbers_{};
 };
 
 }  // namespace rtac::analysis::told

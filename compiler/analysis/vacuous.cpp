@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -76,32 +77,10 @@ class Finder {
   Finder(const ir::Module& module, const ir::Decision& decision, CanBeTold told)
       : module_(module), decision_(decision), told_(told) {}
 
-  Any find(const ir::Block& block, ir::ValueId id, bool value) {
-    const ir::Op& op = block[id].op;
-    if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value == value ? Any{{}} : Any{};
-    if (const auto* v = std::get_if<ir::Not>(&op)) return find(block, v->a, !value);
-    if (const auto* v = std::get_if<ir::And>(&op)) return pair(block, v->a, v->b, value, value);
-    if (const auto* v = std::get_if<ir::Or>(&op)) return pair(block, v->a, v->b, value, !value);
-    if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
-      State state = compare(block, *v, value);
-      return state.can == no ? Any{} : Any{std::move(state)};
-    }
-    // it takes a while to be true, and is false before
-    if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
-      return value ? find(block, v->a, true) : Any{{}};
-    }
-    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
-      if (decision_.robots < 2) return v->universal == value ? Any{{}} : Any{};
-      return find(*v->body, v->body->result, value);
-    }
-    if (const auto* v = std::get_if<ir::Fact>(&op)) {
-      const ir::Block& judged = decision_.facts.monitors[v->index].property;
-      return told(judged, judged.result, value);
-    }
-    // Plans lead anywhere, and zones come and go.
-    const bool either =
-        std::holds_alternative<ir::PlanInZone>(op) || std::holds_alternative<ir::ZoneThere>(op);
-    return {{either ? yes : CanFail::open}};
+  const Any& find(const ir::Block& block, ir::ValueId id, bool value) {
+    const auto known = found_.find({&block, id, value});
+    if (known != found_.end()) return known->second;
+    return found_.emplace(std::tuple(&block, id, value), search(block, id, value)).first->second;
   }
 
   [[nodiscard]] std::string text_of(const Leaf& leaf, int way) const {
@@ -210,8 +189,42 @@ class Finder {
   }
   static constexpr CanFail yes = CanFail::yes, no = CanFail::no;
 
+  Any search(const ir::Block& block, ir::ValueId id, bool value) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value == value ? Any{{}} : Any{};
+    if (const auto* v = std::get_if<ir::Not>(&op)) return find(block, v->a, !value);
+    if (const auto* v = std::get_if<ir::And>(&op)) return pair(block, v->a, v->b, value, value);
+    if (const auto* v = std::get_if<ir::Or>(&op)) return pair(block, v->a, v->b, value, !value);
+    if (const auto* v = std::get_if<ir::AtLeast>(&op)) {
+      State state = compare(block, *v, value);
+      return state.can == no ? Any{} : Any{std::move(state)};
+    }
+    // it takes a while to be true, and is false before
+    if (const auto* v = std::get_if<ir::HeldFor>(&op)) {
+      return value ? find(block, v->a, true) : Any{{}};
+    }
+    if (const auto* v = std::get_if<ir::ForOthers>(&op)) {
+      if (decision_.robots < 2) return v->universal == value ? Any{{}} : Any{};
+      return find(*v->body, v->body->result, value);
+    }
+    if (const auto* v = std::get_if<ir::Fact>(&op)) {
+      const ir::Block& judged = decision_.facts.monitors[v->index].property;
+      return told(judged, judged.result, value);
+    }
+    // Plans lead anywhere, and zones come and go.
+    const bool either =
+        std::holds_alternative<ir::PlanInZone>(op) || std::holds_alternative<ir::ZoneThere>(op);
+    return {{either ? yes : CanFail::open}};
+  }
+
   // What is told from outside may be either, and is the same wherever it is asked for.
-  Any told(const ir::Block& block, ir::ValueId id, bool value) {
+  const Any& told(const ir::Block& block, ir::ValueId id, bool value) {
+    const auto known = found_told_.find({&block, id, value});
+    if (known != found_told_.end()) return known->second;
+    return found_told_.emplace(std::tuple(&block, id, value), search_told(block, id, value))
+        .first->second;
+  }
+  Any search_told(const ir::Block& block, ir::ValueId id, bool value) {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::Truth>(&op)) return v->value == value ? Any{{}} : Any{};
     if (const auto* v = std::get_if<ir::Not>(&op)) return told(block, v->a, !value);
@@ -349,6 +362,9 @@ class Finder {
   const ir::Module& module_;
   const ir::Decision& decision_;
   CanBeTold told_;
+  // A part that several others share is looked at once.
+  using Found = std::map<std::tuple<const ir::Block*, ir::ValueId, bool>, Any>;
+  Found found_, found_told_;
 };
 
 }  // namespace

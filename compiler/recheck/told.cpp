@@ -62,7 +62,11 @@ class Reader {
 
   // Whether it can be so in spite of what suits, while inputs stay.
   [[nodiscard]] bool can_be(const sema::Expr& e, bool value) const {
-    return std::visit([&](const auto& node) { return can(node, e, value); }, e.node);
+    const auto [at, is_new] = found_.try_emplace({&e, value}, false);
+    if (is_new) {
+      at->second = std::visit([&](const auto& node) { return can(node, e, value); }, e.node);
+    }
+    return at->second;
   }
 
  private:
@@ -81,7 +85,7 @@ class Reader {
   // Neither an empty battery nor one that is seen to be full suits.
   [[nodiscard]] bool charged(const sema::Compare& v, const sema::Expr& e, bool value) const {
     for (const Rational& charge : {Rational(0), rest_->charge}) {
-      Reader at = *this;
+      Reader at(spec_, inputs_, with_errors_, anyhow_, may_be_, ages_, rest_);
       at.charge_ = charge;
       const Known a = at.number(*v.left), b = at.number(*v.right);
       if (!a || !b || !is_between(v.op, *a, *b, value)) return unknown(e, value);
@@ -227,7 +231,9 @@ class Reader {
     return Bounds{Rational(at->second - by), Rational(at->second + by)};
   }
   [[nodiscard]] Known number(const sema::Expr& e) const {
-    return std::visit([&](const auto& node) { return known(node); }, e.node);
+    const auto [at, is_new] = numbers_.try_emplace(&e);
+    if (is_new) at->second = std::visit([&](const auto& node) { return known(node); }, e.node);
+    return at->second;
   }
   static Known known(const sema::Constant& v) { return Bounds{v.value, v.value}; }
   [[nodiscard]] Known known(const sema::InputRef& v) const {
@@ -347,6 +353,9 @@ class Reader {
   SensedAges ages_;
   std::optional<SeenAtRest> rest_;
   std::optional<Rational> charge_{};  // that is tried
+  // What has been found of conditions and of numbers, which others may ask for several times.
+  mutable std::map<std::pair<const sema::Expr*, bool>, bool> found_{};
+  mutable std::map<const sema::Expr*, Known> numbers_{};
 };
 
 struct ToHold {
