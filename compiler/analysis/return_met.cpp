@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "compiler/analysis/limits.h"
@@ -96,7 +97,14 @@ class Met {
     std::optional<std::int64_t> shown_mmps{};
   };
 
+  // Several conditions may share one.
   Part of(const ir::Block& block, ir::ValueId id) {
+    const std::tuple key(&block, id, turned_, lasts_);
+    const auto known = parts_.find(key);
+    if (known != parts_.end()) return known->second;
+    return parts_.emplace(key, find(block, id)).first->second;
+  }
+  Part find(const ir::Block& block, ir::ValueId id) {
     const ir::Op& op = block[id].op;
     if (const auto* v = std::get_if<ir::And>(&op)) return both(of(block, v->a), of(block, v->b));
     if (const auto* v = std::get_if<ir::Or>(&op)) return either(of(block, v->a), of(block, v->b));
@@ -286,6 +294,7 @@ class Met {
   bool lasts_ = false;   // what is asked of has to last, or was so earlier
   bool turned_ = false;  // it is to be false
   ir::Returns found_;
+  std::map<std::tuple<const ir::Block*, ir::ValueId, bool, bool>, Part> parts_;
 };
 
 }  // namespace
