@@ -4,6 +4,7 @@
 #include <CGAL/Polygon_2.h>
 #include <CGAL/convex_hull_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -41,6 +42,25 @@ bool beyond_hull(const Region& region, double places, double apart_m) {
   return places > most * excess;
 }
 
+// Of boxes in rows and columns, one fewer than there are places, two places share one, and are no
+// farther apart than its corners.
+bool beyond_boxes(const Region& region, std::size_t places, const Rational& apart) {
+  const auto rings = region.rings();
+  Point low = rings.front().front(), high = low;
+  for (const Ring& ring : rings) {
+    for (const Point& p : ring) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  for (std::size_t columns = 1; columns < places; ++columns) {
+    const Rational width = (high.x - low.x) / static_cast<unsigned long>(columns);
+    const Rational height = (high.y - low.y) / static_cast<unsigned long>((places - 1) / columns);
+    if (width * width + height * height < apart * apart) return true;
+  }
+  return false;
+}
+
 // Discs that overlap nowhere.
 bool beyond_area(const Region& region, double places, const Rational& apart) {
   constexpr double quarter_pi = 0.785398;  // rounded down
@@ -55,7 +75,8 @@ bool too_many_for(const Region& region, std::size_t places, const Rational& apar
   if (places < 2) return false;
   if (region.empty()) return true;
   const auto many = static_cast<double>(places);
-  return beyond_hull(region, many, apart.get_d()) || beyond_area(region, many, apart);
+  return beyond_hull(region, many, apart.get_d()) || beyond_boxes(region, places, apart) ||
+         beyond_area(region, many, apart);
 }
 
 }  // namespace rtac::geometry

@@ -43,6 +43,14 @@ TEST(Crowding, FiveThatWouldNeedAWiderSquareAreTooMany) {
   EXPECT_TRUE(too_many_for(Region(), 2, 1));
   EXPECT_FALSE(too_many_for(square, 1, 100));
 }
+// Two of four share one of three boxes side by side, of 8/3 m by 2.6 m: 3.73 m from corner to
+// corner.
+TEST(Crowding, PlacesThatShareABoxAreNoFartherApartThanItsCorners) {
+  const Region hall = std::get<Region>(
+      Region::polygon({{0, 0}, {8, 0}, {8, Rational(26, 10)}, {0, Rational(26, 10)}}, {}));
+  EXPECT_TRUE(too_many_for(hall, 4, Rational(373, 100)));
+  EXPECT_FALSE(too_many_for(hall, 4, 3));
+}
 // A ring leaves most of its hull out.
 TEST(Crowding, DiscsHaveToFitBesideAHole) {
   const Ring outer{{0, 0}, {40, 0}, {40, 40}, {0, 40}};
