@@ -16,6 +16,7 @@ namespace {
 using verify::EarlierReturn;
 using verify::LaterReturn;
 using verify::LongerWait;
+using verify::LowerLanding;
 using verify::OtherZone;
 using verify::SameRecovery;
 using verify::SlowerRecovery;
@@ -156,6 +157,17 @@ Undo rewritten(sema::Spec& spec, const SlowerRecovery& slower) {
 std::string text(const sema::Spec&, const SlowerRecovery& slower) {
   return "a speed of `" + slower.recovery + "` of " + to_decimal(analysis::metres_of(slower.mmps)) +
          " m/s";
+}
+Undo rewritten(sema::Spec& spec, const LowerLanding& lower) {
+  return changed(spec, lower.recovery, [&](auto& each) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(each)>, sema::Land>) {
+      each.height.value = std::min(each.height.value, analysis::metres_of(lower.height_mm));
+    }
+  });
+}
+// "`land to 4.2 m` in `down`"
+std::string text(const sema::Spec&, const LowerLanding& lower) {
+  return "`land to " + metres(lower.height_mm) + "` in `" + lower.recovery + "`";
 }
 // The zone that is asked for, if it has a name.
 std::optional<sema::ZoneId> named_zone(const sema::Spec& spec, const OtherZone& other) {

@@ -9,6 +9,7 @@
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/ir/linear.h"
 #include "compiler/sema/visit.h"
@@ -219,7 +220,17 @@ Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
     most_mm = std::min(most_mm.value_or(most->most), most->most);
   });
   const bool lowers = analysis::asks_of(m.property, s.decision.facts.params).only_lower;
-  if (!lowers || !most_mm || end_mm + gap_mm > *most_mm) {
+  if (lowers && most_mm && end_mm + gap_mm > *most_mm) {
+    o.status = Status::refuted;
+    o.method = "closed form";
+    o.by_a_run = true;
+    o.because = quoted(m.recovery.name) + " ends at " + metres(end_mm) + ", and control is given " +
+                "back no higher than " + metres(*most_mm - gap_mm) + ", " + metres(gap_mm) +
+                " below the limit";
+    if (s.is_read) o.mends = {LowerLanding{m.recovery.name, *most_mm - gap_mm}};
+    return o;
+  }
+  if (!lowers || !most_mm) {
     o.status = Status::unknown;
     o.method = "no proof";
     o.because = "nothing shows that control is given back where " + quoted(m.recovery.name) +
@@ -316,8 +327,9 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const ir::RecoveryKind last = ir::last_step(m.recovery).kind;
   const Atoms atoms = atoms_of(m.property);
-  const bool rests =
-      last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && atoms.only_speed());
+  const bool rests = last == ir::RecoveryKind::brake ||
+                     (last == ir::RecoveryKind::land &&
+                      (atoms.only_speed() || analysis::holds_at_rest(s.decision, m)));
   if ((atoms.only_facts() && !returns_at_a_place(m)) || rests) {
     o.status = Status::proved;
     o.method = "closed form";

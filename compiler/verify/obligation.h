@@ -87,6 +87,11 @@ struct SlowerRecovery {
   std::string recovery;
   std::int64_t mmps = 0;
 };
+// That a recovery lands no higher than so.
+struct LowerLanding {
+  std::string recovery;
+  std::int64_t height_mm = 0;
+};
 // That a recovery moves within what all of these have in common, where it moves within `from`.
 struct OtherZone {
   std::string recovery;
@@ -100,7 +105,8 @@ struct LongerWait {
 };
 // What may be written in another way.
 using Mend =
-    std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, OtherZone, LongerWait>;
+    std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding, OtherZone,
+                 LongerWait>;
 
 struct Obligation {
   Kind kind{};
