@@ -33,8 +33,13 @@ class JointReturn {
     gone_at_once(alone);
     for (const sema::MonitorId id : d_.priority) {
       const sema::Monitor& m = spec_[id];
-      if (alone.contains(m.name) || !asks_out_of_sight(spec_, d_, *m.always)) continue;
-      fail("no agent is known to be as far away as `" + m.name + "` asks");
+      if (alone.contains(m.name)) continue;
+      if (asks_out_of_sight(spec_, d_, *m.always)) {
+        fail("no agent is known to be as far away as `" + m.name + "` asks");
+      }
+      if (!m.ahead.waypoints_only && too_fast_at_rest(spec_, d_, claims_, m)) {
+        fail("who rests may be too fast for `" + m.name + "` to give control back");
+      }
     }
     if (has(e_, "no_fences", {{"decision", d_.name}})) {
       for (const sema::MonitorId id : d_.priority) {
@@ -81,11 +86,7 @@ class JointReturn {
       if (c.what == "place") height = text(c.values, "z_mm");
     }
     for (const sema::MonitorId id : d_.priority) {
-      if (!asks(id)) continue;
-      in_its_zones(spec_[id], told, named);
-      if (too_fast_at_rest(spec_, d_, claims_, spec_[id])) {
-        fail("who rests may be too fast for `" + spec_[id].name + "` to give control back");
-      }
+      if (asks(id)) in_its_zones(spec_[id], told, named);
     }
     if (places.empty()) need("no_fences");
     const bool asked = std::any_of(d_.priority.begin(), d_.priority.end(), [&](sema::MonitorId id) {

@@ -141,15 +141,18 @@ std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr&
   return Rational(-sum->least / by);
 }
 
-std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison) {
+std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison, bool value) {
+  if (const auto* logic = std::get_if<sema::Logic>(&comparison.node)) {
+    if (logic->op != sema::LogicOp::logical_not) return std::nullopt;
+    return floor_of(spec, *logic->operands.front(), !value);
+  }
   if (const auto* inside = std::get_if<sema::InsideZone>(&comparison.node)) {
-    return Floor{inside->zone, 0, 0};
+    return value ? std::optional(Floor{inside->zone, 0, 0}) : std::nullopt;
   }
   const auto* compare = std::get_if<sema::Compare>(&comparison.node);
   if (compare == nullptr) return std::nullopt;
   using Op = sema::CompareOp;
-  const bool above = compare->op == Op::greater || compare->op == Op::greater_equal;
-  if (!above && compare->op != Op::less && compare->op != Op::less_equal) return std::nullopt;
+  const bool above = (compare->op == Op::greater || compare->op == Op::greater_equal) == value;
   const sema::Expr& large = above ? *compare->left : *compare->right;
   const sema::Expr& small = above ? *compare->right : *compare->left;
   const auto least = difference(spec, large, small), most = difference(spec, small, large);

@@ -43,12 +43,13 @@ std::optional<LimitOfOne> limit_of_one(const sema::Spec& spec, const sema::Expr&
 // become; none: it asks for something else.
 std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison);
 
-// What a comparison asks of the clearance of one zone, from below: the most that its parameters may
-// make of that, and the least. none: it asks for something else.
+// What a comparison that has to be true, or false, asks of the clearance of one zone, from below:
+// the most that its parameters may make of that, and the least. none: it asks for something else.
 struct Floor {
   sema::ZoneId zone;
   Rational strictest, laxest;
 };
-std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison);
+std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison,
+                              bool value = true);
 
 }  // namespace rtac::recheck

@@ -189,10 +189,9 @@ class Turns {
     const auto zones = all_zones(says);
     bool other = false;
     sema::for_each_expr(says, [&](const sema::Expr& e) {
-      other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j)) ||
-              ((!zones.empty() || is_height(e)) && is_choice(e));
+      other = other || asks_for_more(e) || (is_height(e) && !leaves_height(i, j));
     });
-    if (other) return false;
+    if (other || (!zones.empty() && is_choice(says, true))) return false;
     return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
       return leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone));
     });
@@ -231,14 +230,26 @@ class Turns {
   // One side of it may be what rest settles, and another one what a place does: it is not known
   // which of them holds. Where inputs are all that the other sides ask, the one that is settled
   // holds whatever they say.
-  static bool is_choice(const sema::Expr& e) {
+  static bool is_choice(const sema::Expr& e, bool value) {
+    using Op = sema::LogicOp;
     const auto* logic = std::get_if<sema::Logic>(&e.node);
-    if (logic == nullptr || logic->op == sema::LogicOp::logical_and) return false;
+    const auto is = [&](const sema::ExprPtr& each) { return is_choice(*each, value); };
+    if (logic == nullptr) {
+      bool found = false;
+      sema::for_each_operand(e, [&](const sema::ExprPtr& each) { found = found || is(each); });
+      return found;
+    }
+    if (logic->op == Op::logical_not) return is_choice(*logic->operands.front(), !value);
+    const bool either = logic->op == Op::logical_and || logic->op == Op::logical_or;
+    if (either && (logic->op == Op::logical_and) == value) {
+      return std::ranges::any_of(logic->operands, is);
+    }
     const auto of_robot = std::ranges::count_if(
         logic->operands, [](const sema::ExprPtr& each) { return sema::speaks_of_robot(*each); });
     if (of_robot == 0) return false;
-    if (logic->op == sema::LogicOp::logical_or) return of_robot > 1;
-    return logic->op != sema::LogicOp::implies || sema::speaks_of_robot(*logic->operands.front());
+    if (either) return of_robot > 1 || std::ranges::any_of(logic->operands, is);
+    if (logic->op != Op::implies || !value) return true;
+    return sema::speaks_of_robot(*logic->operands.front()) || is(logic->operands.back());
   }
   // Where it leads, which is proved for one of the monitors that it recovers for.
   [[nodiscard]] const Claim* way_back(std::size_t i) const {
@@ -272,14 +283,21 @@ class Turns {
            (own.return_when && lies_deep(*own.return_when, spec_[d_.kind].radius.value, zone));
   }
   // Wherever a property holds with `more` to spare; of an `or`, of each of its sides.
-  bool lies_deep(const sema::Expr& says, const Rational& more, sema::ZoneId zone) {
+  bool lies_deep(const sema::Expr& says, const Rational& more, sema::ZoneId zone,
+                 bool value = true) {
+    using Op = sema::LogicOp;
     if (const auto* logic = std::get_if<sema::Logic>(&says.node)) {
-      const auto deep = [&](const sema::ExprPtr& each) { return lies_deep(*each, more, zone); };
-      if (logic->op == sema::LogicOp::logical_and)
-        return std::ranges::any_of(logic->operands, deep);
-      return logic->op == sema::LogicOp::logical_or && std::ranges::all_of(logic->operands, deep);
+      const auto deep = [&](const sema::ExprPtr& each) {
+        return lies_deep(*each, more, zone, value);
+      };
+      if (logic->op == Op::logical_not) {
+        return lies_deep(*logic->operands.front(), more, zone, !value);
+      }
+      if (logic->op != Op::logical_and && logic->op != Op::logical_or) return false;
+      return (logic->op == Op::logical_and) == value ? std::ranges::any_of(logic->operands, deep)
+                                                     : std::ranges::all_of(logic->operands, deep);
     }
-    const auto floor = floor_of(spec_, says);
+    const auto floor = floor_of(spec_, says, value);
     return floor && floor->laxest >= 0 && has_room(floor->zone, more + floor->laxest, zone);
   }
   // Who is in a zone, `left` clear of its boundary, is so clear of another one that it is given

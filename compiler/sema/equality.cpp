@@ -18,8 +18,10 @@ ExprPtr PropertyChecker::equality(const syntax::Expr& expr, const syntax::Binary
   }
   const int outer = polarity_;
   polarity_ = 0;
+  ++asked_twice_;
   Value left = infer(*binary.left);
   Value right = infer(*binary.right);
+  --asked_twice_;
   polarity_ = outer;
   if (!left || !right) return nullptr;
   auto* one = std::get_if<ExprPtr>(&left.node);

@@ -79,11 +79,15 @@ void PropertyChecker::report_limit(const SourceRange& range, const std::string& 
                             "it as an input"));
 }
 
-// Functions and `let` can make a short text stand for a huge expression.
+// Functions and `let` can make a short text stand for a huge expression, and so can conditions that
+// are compared with each other, as either of them matters in two ways.
 bool PropertyChecker::affordable(const syntax::Expr& expr, std::size_t nodes) {
   size_ += nodes;
   if (size_ > max_size) {
-    report_limit(expr.range, "the property is too large, functions and `let` put in their places",
+    report_limit(expr.range,
+                 asked_twice_ > 0
+                     ? "the property is too large: what `iff`, `xor` and `==` compare counts twice"
+                     : "the property is too large, functions and `let` put in their places",
                  std::to_string(max_size) + " operators and operands");
   } else if (depth_ > max_depth) {
     report_limit(expr.range, "the property is nested too deeply, functions put in their places",
@@ -94,7 +98,7 @@ bool PropertyChecker::affordable(const syntax::Expr& expr, std::size_t nodes) {
 
 Value PropertyChecker::infer(const syntax::Expr& expr, const std::optional<Dimension>& due) {
   ++depth_;
-  Value value = affordable(expr, 1) ? infer_node(expr, due) : nullptr;
+  Value value = affordable(expr, std::size_t{1} << asked_twice_) ? infer_node(expr, due) : nullptr;
   --depth_;
   return value;
 }
@@ -245,11 +249,13 @@ Value PropertyChecker::form(const syntax::Expr& expr, const syntax::Binary& bina
 ExprPtr PropertyChecker::logic(const syntax::Expr& expr, const syntax::Binary& binary, LogicOp op) {
   const int outer = polarity_;
   const bool both_ways = op == LogicOp::iff || op == LogicOp::logical_xor;
+  asked_twice_ += both_ways ? 1 : 0;
   polarity_ = both_ways ? 0 : (op == LogicOp::implies ? -outer : outer);
   ExprPtr left = condition(*binary.left);
   polarity_ = both_ways ? 0 : outer;
   ExprPtr right = condition(*binary.right);
   polarity_ = outer;
+  asked_twice_ -= both_ways ? 1 : 0;
   if (!left || !right) return nullptr;
   return make_condition(expr.range, Logic{op, operands_of(std::move(left), std::move(right))});
 }

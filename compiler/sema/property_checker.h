@@ -370,6 +370,7 @@ class PropertyChecker {
   // +1: the property needs this to be true, -1: false; 0: neither, or not known.
   int polarity_ = 1;
   int depth_ = 0;
+  int asked_twice_ = 0;  // how many `iff`, `xor` and comparisons of conditions it stands in
   std::size_t size_ = 0;
   bool exhausted_ = false;  // a limit was reached and reported
 };
