@@ -49,9 +49,10 @@ std::optional<ir::ZoneIndex> place_of(const ir::Module& module, const ir::Decisi
 // longest look-ahead and the standoffs that count in its zone, whosever they are.
 class ReturnSet {
  public:
-  ReturnSet(const Decided& of, const ExactZone& exact)
+  ReturnSet(const Decided& of, const ExactZone& exact, const ExactSolid& solid)
       : of_(of),
         exact_(exact),
+        solid_(solid),
         module_(of.module),
         decision_(of.decision),
         now_(trial_of(of.spec, of.written)) {
@@ -194,7 +195,14 @@ class ReturnSet {
   std::string wider_zone(const Fault& fault) const {
     if (of_.trials == nullptr) return "";  // nobody reads it
     const ir::ZoneTable& zone = zone_of(*retreat_);
-    if (zone.has_height()) return "the zone has to be wider and higher";
+    if (zone.has_height()) {
+      // legs end within that of a place that is so clear, straight up or down
+      const std::int64_t by_mm = missing_mm(*retreat_) + decision_.body.end_reach_mm + 1;
+      const ir::ZoneIndex in_space = *place_of(module_, decision_, *retreat_);
+      return growth_that_works(*of_.trials, in_space, solid_(in_space), by_mm,
+                               2 * by_mm + need_mm(now_, standoff_mm(*retreat_)), fault, by_mm)
+          .value_or("the zone has to be wider and higher");
+    }
     // what is grown has round corners
     const std::int64_t need_mm = most_mm(*retreat_) + missing_mm(*retreat_) + recheck_misses_mm;
     const auto fits = [&](const std::vector<geometry::EdgeRow>&, const ir::Cells& cells) {
@@ -302,6 +310,7 @@ class ReturnSet {
 
   const Decided& of_;
   const ExactZone& exact_;
+  const ExactSolid& solid_;
   const ir::Module& module_;
   const ir::Decision& decision_;
   const Trial now_;
@@ -316,8 +325,8 @@ std::int64_t room_mm(const ir::Decision& decision, const ir::Recovery& last,
   return has_cells && returns_over_cells(decision, last) ? clearest_mm(zone.cells) : zone.widest_mm;
 }
 
-std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZone& exact) {
-  return ReturnSet(of, exact).findings();
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZones& exact) {
+  return ReturnSet(of, exact.flat, exact.solid).findings();
 }
 
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t room_mm,

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/analysis/across.h"
 #include "compiler/analysis/decided.h"
-#include "compiler/analysis/recovery_places.h"
 #include "compiler/diagnostics/engine.h"
 
 namespace rtac::analysis {
@@ -21,7 +21,7 @@ inline constexpr std::int64_t recheck_misses_mm = 5;
 // 5007: a zone that a monitor retreats within has the clearance nowhere at which all monitors of
 // the decision hand back. Named is the monitor that asks for it, which need not be the one that
 // retreats, with the longest look-ahead, the largest standoff or the width that works.
-std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZone& exact);
+std::vector<diag::Diagnostic> empty_return_sets(const Decided& of, const ExactZones& exact);
 
 // Longest look-ahead (us, whole ms) whose return clearance fits into `room_mm`; 0: none.
 std::int64_t lookahead_max_us(const ir::Decision& decision, std::int64_t room_mm,

@@ -62,7 +62,7 @@ class WellFormed {
       const ir::Decision& decision = module_.decisions[i];
       if (decision.on_plan) continue;
       const Decided decided{spec_, spec_.decisions[i], module_, decision, lies_, trials_};
-      for (diag::Diagnostic& found : empty_return_sets(decided, exact_.flat)) {
+      for (diag::Diagnostic& found : empty_return_sets(decided, exact_)) {
         diagnostics_.report(std::move(found));
       }
       for (diag::Diagnostic& found : unkept_speed_limits(decided)) {

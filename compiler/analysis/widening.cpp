@@ -33,6 +33,17 @@ bool closes_a_gap(const geometry::Region& zone, std::int64_t by_mm) {
   return !filled.shrink(Rational(by_m / 2)).empty();
 }
 
+// Sideways, or between two slabs.
+bool closes_a_gap(const geometry::Solid& zone, std::int64_t by_mm) {
+  const auto& slabs = zone.slabs();
+  for (std::size_t k = 0; k < slabs.size(); ++k) {
+    if (closes_a_gap(slabs[k].region, by_mm)) return true;
+    const bool apart = k > 0 && slabs[k - 1].ceiling < slabs[k].floor;
+    if (apart && slabs[k].floor - slabs[k - 1].ceiling <= metres_of(2 * by_mm)) return true;
+  }
+  return false;
+}
+
 // The offsets of a zone that make it narrower, or, of what is taken out of one, wider, the last one
 // first; in what has no name of its own.
 void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
@@ -114,7 +125,7 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
 }
 
 std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table,
-                                             const geometry::Region& exact, std::int64_t guess_mm,
+                                             const ExactShape& exact, std::int64_t guess_mm,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm) {
   const auto id = trials.zone_of(table);
@@ -147,7 +158,8 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
                   },
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
-  if (by_mm && !closes_a_gap(exact, *by_mm)) {
+  const auto closes = [&](const auto& zone) { return closes_a_gap(zone, *by_mm); };
+  if (by_mm && !std::visit(closes, exact)) {
     // in its declaration, so that recoveries move in what is wider, too
     return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`" +
            (unnamed ? "" : " wherever it is named") + " works" +

@@ -5,11 +5,13 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "compiler/analysis/trials.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/region.h"
+#include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
@@ -26,12 +28,15 @@ std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64
                                         std::int64_t most_mm, const FitsZone& fits,
                                         const FitsZone& whole = {});
 
+// Of the plane, or in space.
+using ExactShape = std::variant<geometry::Region, geometry::Solid>;
+
 // "`grow(yard, 0.2 m)` in place of `yard` works": the least growth of a zone with which the whole
 // specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
 // `least_mm`, which is no more than the guess; or a distance in it (distance_that_works). none: as
 // of other numbers (Trials::nearest), or what the zone leaves out would be grown over.
 std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex zone,
-                                             const geometry::Region& exact, std::int64_t guess_mm,
+                                             const ExactShape& exact, std::int64_t guess_mm,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm = 0);
 

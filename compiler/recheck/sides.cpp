@@ -219,7 +219,7 @@ bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_ov
     other = other || (signal != nullptr && signal->signal != sema::Signal::speed) ||
             std::holds_alternative<sema::ForOthers>(e.node);
   });
-  return !limits || other || slow_side(part, speed);
+  return !limits || other || slow(part, speed) || slow_side(part, speed);
 }
 
 bool Sides::keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,

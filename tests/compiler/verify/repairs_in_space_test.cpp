@@ -1,0 +1,67 @@
+// What is offered of heights works, to the last, and no less does.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class RepairsInSpace : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  // Proved, and accepted by a recheck.
+  static bool works(const std::string& text) {
+    return verified(text, {"-o", "proofs"}).status == exit_clean &&
+           rtac({"verify", "--recheck", "proofs"}).status == exit_clean;
+  }
+  // The number between the two.
+  static double between(const std::string& text, const std::string& before,
+                        const std::string& after) {
+    const std::size_t at = text.find(before);
+    EXPECT_NE(at, std::string::npos) << text;
+    if (at == std::string::npos) return 0;
+    const std::size_t begin = at + before.size();
+    return std::stod(text.substr(begin, text.find(after, begin) - begin));
+  }
+  static std::string m(double metres) { return std::to_string(metres) + " m"; }
+};
+
+TEST_F(RepairsInSpace, ABandThatIsTooLowIsToldHowMuchItHasToGrow) {
+  const auto page = [](const std::string& band) {
+    return "spec band;\nzone yard = rectangle (0 m, 0 m) to (40 m, 30 m);\n"
+           "zone plain = prism (yard) from 20 m to 21 m;\nzone band = " +
+           band + ";\n" + a_quad +
+           "controller back : safe for Quad = retreat within band speed 0.5 m/s;\n"
+           "monitor fence for r : Quad { \"R1\" always r inside band; recover back; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms; priority fence; }\n";
+  };
+  const Outcome o = verified(page("plain"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  const double by = between(o.err, "`grow(band, ", " m)` in place of `band`");
+  EXPECT_TRUE(works(page("grow(plain, " + m(by) + ")"))) << by;
+  EXPECT_FALSE(works(page("grow(plain, " + m(0.95 * by) + ")"))) << by;
+}
+
+// Who is found above where it lands waits there, and above the limit for ever.
+TEST_F(RepairsInSpace, ALandingAboveItsLimitIsToldHowLowItHasToEnd) {
+  const auto page = [](const std::string& height, const std::string& always) {
+    return "spec low;\n" + a_quad + "controller down : safe for Quad = land to " + height +
+           " speed 0.5 m/s;\nmonitor low for r : Quad { \"R1\" always " + always +
+           "; recover down; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms; priority low; }\n";
+  };
+  const std::string limit = "r.position.z <= 6 m";
+  const Outcome o = verified(page("10 m", limit), {"-o", "proofs"});
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  const Outcome shown = rtac({"sim", "spec.rta", "--replay", "proofs/violation.trace"});
+  EXPECT_EQ(shown.status, exit_violation) << shown.out << shown.err;
+  const double to = between(o.out, "`land to ", " m` in `down` works");
+  EXPECT_TRUE(works(page(m(to), limit))) << to;
+  EXPECT_FALSE(works(page(m(1.05 * to), limit))) << to;
+  // at rest it is slow enough, wherever that is
+  EXPECT_TRUE(works(page("10 m", limit + " or r.speed <= 2 m/s")));
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
