@@ -197,7 +197,9 @@ class ReturnSet {
     const ir::ZoneTable& zone = zone_of(*retreat_);
     if (zone.has_height()) {
       // legs end within that of a place that is so clear, straight up or down
-      const std::int64_t by_mm = missing_mm(*retreat_) + decision_.body.end_reach_mm + 1;
+      const bool by_legs = ir::goes_back(ir::last_step(retreat_->recovery).kind);
+      const std::int64_t by_mm =
+          missing_mm(*retreat_) + (by_legs ? decision_.body.end_reach_mm + 1 : 0);
       const ir::ZoneIndex in_space = *place_of(module_, decision_, *retreat_);
       return growth_that_works(*of_.trials, in_space, solid_(in_space), by_mm,
                                2 * by_mm + need_mm(now_, standoff_mm(*retreat_)), fault, by_mm)

@@ -219,7 +219,15 @@ bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_ov
     other = other || (signal != nullptr && signal->signal != sema::Signal::speed) ||
             std::holds_alternative<sema::ForOthers>(e.node);
   });
-  return !limits || other || slow(part, speed) || slow_side(part, speed);
+  return !limits || other || keeps_each(part, speed) || slow(part, speed) || slow_side(part, speed);
+}
+
+// No limit in it is exceeded, whichever of them counts.
+bool Sides::keeps_each(const Part& part, const Rational& speed) {
+  const Split parts = split(part);
+  if (!parts.all && !parts.any) return !sema::speaks_of_speed(*part.expr) || slow(part, speed);
+  return std::all_of(parts.parts.begin(), parts.parts.end(),
+                     [&](const Part& each) { return keeps_each(each, speed); });
 }
 
 bool Sides::keeps_while_told(const sema::Controller& recovery, const sema::Monitor& m,

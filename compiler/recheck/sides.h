@@ -79,6 +79,7 @@ class Sides {
   // The same of one that means to drive at `speed`.
   [[nodiscard]] Rational while_driving(const Rational& speed) const;
   bool within_limits(const Part& part, const Rational& speed, bool taken_over);
+  bool keeps_each(const Part& part, const Rational& speed);
   bool slow(const Part& part, const Rational& speed);
   // What inputs are taken to say.
   using Told = std::vector<std::pair<const sema::Expr*, bool>>;
