@@ -104,9 +104,8 @@ struct LongerWait {
   std::int64_t seconds = 0;
 };
 // What may be written in another way.
-using Mend =
-    std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding, OtherZone,
-                 LongerWait>;
+using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding,
+                          OtherZone, LongerWait>;
 
 struct Obligation {
   Kind kind{};
