@@ -28,73 +28,93 @@ bool speaks_of_others(const sema::Expr& e) {
 class Company {
  public:
   Company(const sema::Spec& spec, const sema::Decision& decision)
-      : open_(spec[decision.kind].open_fleet) {
+      : spec_(spec), open_(spec[decision.kind].open_fleet) {
     for (const sema::Robot& robot : spec.robots) robots_ += robot.kind == decision.kind ? 1 : 0;
   }
 
-  [[nodiscard]] bool keeps(const sema::Expr& e) const {
+  // As something that has to be true, or false.
+  [[nodiscard]] bool keeps(const sema::Expr& e, bool value = true) const {
     if (!speaks_of_others(e)) return true;
     if (const auto* v = std::get_if<sema::Logic>(&e.node)) {
+      if (v->op == Op::logical_not) return keeps(*v->operands.front(), !value);
       const auto is = [&](const sema::ExprPtr& x) {
-        return v->op == sema::LogicOp::logical_and ? keeps(*x) : of_both(*x);
+        return (v->op == Op::logical_and) == value ? keeps(*x, value) : of_both(*x, value);
       };
-      const bool plain = v->op == sema::LogicOp::logical_and || v->op == sema::LogicOp::logical_or;
+      const bool plain = v->op == Op::logical_and || v->op == Op::logical_or;
       return plain && std::ranges::all_of(v->operands, is);
     }
     if (const auto* v = std::get_if<sema::ForOthers>(&e.node)) {
       if (robots_ < 2) return true;
       // one other robot that cannot be away is all and some of them
-      return (v->universal || (robots_ == 2 && !open_)) && keeps(*v->body);
+      const bool of_all = v->universal == value || (robots_ == 2 && !open_);
+      return of_all && keeps(*v->body, value);
     }
-    const auto* compare = std::get_if<sema::Compare>(&e.node);
-    return compare != nullptr && (compares_pair(*compare) || any_number(*compare));
+    return asks_for_distance(e, value) || any_number(e, value);
   }
 
  private:
+  using Op = sema::LogicOp;
   // The same, whichever robot of the pair looks at the other one.
-  [[nodiscard]] static bool of_both(const sema::Expr& e) {
+  [[nodiscard]] bool of_both(const sema::Expr& e, bool value) const {
     if (std::holds_alternative<sema::Truth>(e.node)) return true;
-    if (const auto* v = std::get_if<sema::Logic>(&e.node)) {
-      const bool plain = v->op == sema::LogicOp::logical_and || v->op == sema::LogicOp::logical_or;
-      return plain && std::ranges::all_of(v->operands, [](const auto& x) { return of_both(*x); });
-    }
-    const auto* compare = std::get_if<sema::Compare>(&e.node);
-    return compare != nullptr && compares_pair(*compare);
+    const auto* v = std::get_if<sema::Logic>(&e.node);
+    if (v == nullptr) return asks_for_distance(e, value);
+    if (v->op == Op::logical_not) return of_both(*v->operands.front(), !value);
+    const bool plain = v->op == Op::logical_and || v->op == Op::logical_or;
+    return plain &&
+           std::ranges::all_of(v->operands, [&](const auto& x) { return of_both(*x, value); });
   }
-  // A distance between robots, with what is the same for both of them.
-  static bool compares_pair(const sema::Compare& v) {
-    bool distance = false, other = false;
-    for (const sema::Expr* side : {v.left.get(), v.right.get()}) {
-      sema::for_each_expr(*side, [&](const sema::Expr& e) {
-        if (std::holds_alternative<sema::Distance>(e.node)) {
-          distance = true;
-        } else {
-          other = other || (!std::holds_alternative<sema::Constant>(e.node) &&
-                            !std::holds_alternative<sema::ParamRef>(e.node) &&
-                            !std::holds_alternative<sema::Arithmetic>(e.node));
-        }
-      });
-    }
-    return distance && !other;
+  // From the other robot at least so much, which is the same for both of them.
+  [[nodiscard]] bool asks_for_distance(const sema::Expr& e, bool value) const {
+    const auto limit = limit_of_one(spec_, e, value);
+    return limit && limit->at_least && limit->of.kind == Measured::Kind::distance;
   }
   // At most as many as there are is no condition.
-  [[nodiscard]] bool any_number(const sema::Compare& v) const {
-    const bool counts = std::holds_alternative<sema::CountOthers>(v.left->node) ||
-                        std::holds_alternative<sema::CountOthers>(v.right->node);
+  [[nodiscard]] bool any_number(const sema::Expr& e, bool value) const {
+    const auto* v = std::get_if<sema::Compare>(&e.node);
+    if (v == nullptr) return false;
+    const bool counts = std::holds_alternative<sema::CountOthers>(v->left->node) ||
+                        std::holds_alternative<sema::CountOthers>(v->right->node);
     if (robots_ < 2 && !open_) return counts;
-    using Op = sema::CompareOp;
-    const bool at_most = v.op == Op::less || v.op == Op::less_equal;
-    const sema::Expr& number = at_most ? *v.left : *v.right;
-    const sema::Expr& limit = at_most ? *v.right : *v.left;
+    using Compared = sema::CompareOp;
+    const bool at_most = (v->op == Compared::less || v->op == Compared::less_equal) == value;
+    const bool strict = (v->op == Compared::less || v->op == Compared::greater) == value;
+    const sema::Expr& number = at_most ? *v->left : *v->right;
+    const sema::Expr& limit = at_most ? *v->right : *v->left;
     const auto* most = std::get_if<sema::Constant>(&limit.node);
     if (!std::holds_alternative<sema::CountOthers>(number.node) || most == nullptr) return false;
-    const bool strict = v.op == Op::less || v.op == Op::greater;
     return strict ? most->value > robots_ - 1 : most->value >= robots_ - 1;
   }
 
+  const sema::Spec& spec_;
   const bool open_;
   int robots_ = 0;
 };
+
+// The distance from another robot that something asks for which has to be true, or false: of what
+// has to hold at once the most, and of a choice the least.
+std::optional<Rational> distance_of(const sema::Spec& spec, const sema::Expr& e, bool value) {
+  if (const auto* others = std::get_if<sema::ForOthers>(&e.node)) {
+    return others->universal == value ? distance_of(spec, *others->body, value) : std::nullopt;
+  }
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr) {
+    const auto limit = limit_of_one(spec, e, value);
+    const bool is_one = limit && limit->at_least && limit->of.kind == Measured::Kind::distance;
+    return is_one ? std::optional(limit->bound) : std::nullopt;
+  }
+  using Op = sema::LogicOp;
+  if (logic->op == Op::logical_not) return distance_of(spec, *logic->operands.front(), !value);
+  if (logic->op != Op::logical_and && logic->op != Op::logical_or) return std::nullopt;
+  const bool at_once = (logic->op == Op::logical_and) == value;
+  std::optional<Rational> found;
+  for (const sema::ExprPtr& each : logic->operands) {
+    const auto asked = distance_of(spec, *each, value);
+    if (!asked && !at_once) return std::nullopt;
+    if (asked && (!found || (at_once ? *asked > *found : *asked < *found))) found = asked;
+  }
+  return found;
+}
 
 }  // namespace
 
@@ -106,18 +126,7 @@ bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
 std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decision& decision,
                                        const sema::Expr& property) {
   if (std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind) < 2) return std::nullopt;
-  const auto* logic = std::get_if<sema::Logic>(&property.node);
-  std::optional<Rational> most;
-  const auto take = [&](const std::optional<Rational>& asked) {
-    if (asked && (!most || *asked > *most)) most = asked;
-  };
-  if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
-    for (const sema::ExprPtr& each : logic->operands) take(distance_asked(spec, decision, *each));
-  }
-  const auto* others = std::get_if<sema::ForOthers>(&property.node);
-  if (others != nullptr && others->universal) take(distance_asked(spec, decision, *others->body));
-  take(least_distance(spec, property));
-  return most;
+  return distance_of(spec, property, true);
 }
 
 bool judges_robots(const sema::Spec& spec, const sema::Decision& decision,

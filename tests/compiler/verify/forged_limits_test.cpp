@@ -90,6 +90,35 @@ TEST_F(ForgedLimits, WhatIsNotLessIsSeenAtItsPlace) {
   }
 }
 
+// A distance that others keep as well is one from below, in whichever words; of a choice the least
+// one has to fit, of all robots at once.
+TEST_F(ForgedLimits, DistancesAreReadInOtherWords) {
+  const auto fleet = [](const std::string& asked) {
+    return "spec s;\nzone hall = rectangle (0 m, 0 m) to (14 m, 12 m);\n" +
+           edited(edited(a_rover, "fleet r1", "fleet r1, r2, r3"), "  output thrust",
+                  "  hears other robots max_age 100 ms;\n  output thrust") +
+           "controller back : safe for Rover = retreat within hall speed 0.3 m/s;\n"
+           "controller stop : safe for Rover = brake_and_hold;\n"
+           "monitor apart for r : Rover { \"R1\" always forall q : Rover, q != r : " +
+           asked +
+           "; recover stop; hold when violated \"x\"; }\n"
+           "monitor fence for r : Rover { \"R2\" always r inside hall; recover back; }\n"
+           "decision go for Rover { advanced drive; period 50 ms; priority apart > fence; }\n";
+  };
+  for (const char* near :
+       {"not (distance(r, q) < 1 m)", "(distance(r, q) >= 2 m or distance(r, q) >= 1 m)"}) {
+    prove(fleet(near));
+    EXPECT_EQ(recheck_sealed_anew().status, exit_clean) << near;
+  }
+  prove(fleet("distance(r, q) >= 1 m"));
+  expect_noticed_in("spec.rta", ">= 1 m", "<= 12 m",
+                    "P2a of `apart`: others may break it, whatever the recovery does");
+  prove(fleet("(distance(r, q) >= 1 m or distance(r, q) >= 2 m)"));
+  expect_noticed_in("spec.rta", ">= 1 m or distance(r, q) >= 2 m",
+                    ">= 12 m or distance(r, q) >= 13 m",
+                    "joint return: two of its robots are too near to each other");
+}
+
 // In a wind, as slowly as `check` lets it.
 TEST_F(ForgedLimits, InSpaceARecoveryMakesWayWhateverItsVelocityErrs) {
   const std::string windy =
