@@ -111,11 +111,11 @@ TEST_F(ForgedLimits, DistancesAreReadInOtherWords) {
     EXPECT_EQ(recheck_sealed_anew().status, exit_clean) << near;
   }
   prove(fleet("distance(r, q) >= 1 m"));
-  expect_noticed_in("spec.rta", ">= 1 m", "<= 12 m",
+  expect_noticed_in("spec.rta", "q) >= 1 m", "q) <= 12 m",
                     "P2a of `apart`: others may break it, whatever the recovery does");
   prove(fleet("(distance(r, q) >= 1 m or distance(r, q) >= 2 m)"));
-  expect_noticed_in("spec.rta", ">= 1 m or distance(r, q) >= 2 m",
-                    ">= 12 m or distance(r, q) >= 13 m",
+  expect_noticed_in("spec.rta", "q) >= 1 m or distance(r, q) >= 2 m",
+                    "q) >= 12 m or distance(r, q) >= 13 m",
                     "joint return: two of its robots are too near to each other");
 }
 
