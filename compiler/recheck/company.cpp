@@ -66,8 +66,7 @@ class Company {
   }
   // From the other robot at least so much, which is the same for both of them.
   [[nodiscard]] bool asks_for_distance(const sema::Expr& e, bool value) const {
-    const auto limit = limit_of_one(spec_, e, value);
-    return limit && limit->at_least && limit->of.kind == Measured::Kind::distance;
+    return least_distance(spec_, e, value).has_value();
   }
   // At most as many as there are is no condition.
   [[nodiscard]] bool any_number(const sema::Expr& e, bool value) const {
@@ -98,11 +97,7 @@ std::optional<Rational> distance_of(const sema::Spec& spec, const sema::Expr& e,
     return others->universal == value ? distance_of(spec, *others->body, value) : std::nullopt;
   }
   const auto* logic = std::get_if<sema::Logic>(&e.node);
-  if (logic == nullptr) {
-    const auto limit = limit_of_one(spec, e, value);
-    const bool is_one = limit && limit->at_least && limit->of.kind == Measured::Kind::distance;
-    return is_one ? std::optional(limit->bound) : std::nullopt;
-  }
+  if (logic == nullptr) return least_distance(spec, e, value);
   using Op = sema::LogicOp;
   if (logic->op == Op::logical_not) return distance_of(spec, *logic->operands.front(), !value);
   if (logic->op != Op::logical_and && logic->op != Op::logical_or) return std::nullopt;

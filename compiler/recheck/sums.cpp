@@ -133,12 +133,11 @@ std::optional<LimitOfOne> limit_of_one(const sema::Spec& spec, const sema::Expr&
   return LimitOfOne{of, by > 0, Rational(-sum->least / by), strict};
 }
 
-std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison) {
-  const auto sum = excess(spec, comparison);
-  if (!sum || sum->terms.size() != 1) return std::nullopt;
-  const auto& [of, by] = *sum->terms.begin();
-  if (of.kind != Measured::Kind::distance || by <= 0) return std::nullopt;
-  return Rational(-sum->least / by);
+std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison,
+                                       bool value) {
+  const auto limit = limit_of_one(spec, comparison, value);
+  const bool is_one = limit && limit->at_least && limit->of.kind == Measured::Kind::distance;
+  return is_one ? std::optional(limit->bound) : std::nullopt;
 }
 
 std::optional<Floor> floor_of(const sema::Spec& spec, const sema::Expr& comparison, bool value) {

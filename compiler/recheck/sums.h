@@ -39,9 +39,10 @@ struct LimitOfOne {
 };
 std::optional<LimitOfOne> limit_of_one(const sema::Spec& spec, const sema::Expr& comparison,
                                        bool value = true);
-// The distance to another robot that a comparison asks for at least, whatever its parameters
-// become; none: it asks for something else.
-std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison);
+// The distance to another robot that a comparison which has to be true, or false, asks for at
+// least, whatever its parameters become; none: it asks for something else.
+std::optional<Rational> least_distance(const sema::Spec& spec, const sema::Expr& comparison,
+                                       bool value = true);
 
 // What a comparison that has to be true, or false, asks of the clearance of one zone, from below:
 // the most that its parameters may make of that, and the least. none: it asks for something else.
