@@ -437,22 +437,26 @@ std::variant<Meeting, BadCells> without_parting(const geometry::Region& zone, co
 
 namespace {
 
-// The largest distance that the property asks robots to keep; none: it asks for something else.
-std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e) {
+// The largest distance that robots have to keep for `e` to have that value; none: that asks for
+// something else.
+std::optional<Rational> apart_by(const sema::Spec& spec, const sema::Expr& e, bool value) {
   if (const auto* others = std::get_if<sema::ForOthers>(&e.node)) {
-    return others->universal ? apart_by(spec, *others->body) : std::nullopt;
+    return others->universal == value ? apart_by(spec, *others->body, value) : std::nullopt;
   }
-  if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
-    if (logic->op != sema::LogicOp::logical_and) return std::nullopt;
-    Rational most = 0;
-    for (const sema::ExprPtr& operand : logic->operands) {
-      const auto asked = apart_by(spec, *operand);
-      if (!asked) return std::nullopt;
-      most = std::max(most, *asked);
-    }
-    return most;
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  if (logic == nullptr) return least_distance(spec, e, value);
+  if (logic->op == sema::LogicOp::logical_not) {
+    return apart_by(spec, *logic->operands.front(), !value);
   }
-  return least_distance(spec, e);
+  const auto each = value ? sema::LogicOp::logical_and : sema::LogicOp::logical_or;
+  if (logic->op != each) return std::nullopt;
+  Rational most = 0;
+  for (const sema::ExprPtr& operand : logic->operands) {
+    const auto asked = apart_by(spec, *operand, value);
+    if (!asked) return std::nullopt;
+    most = std::max(most, *asked);
+  }
+  return most;
 }
 
 // Whether what asks for a recovery that only stands are inputs and agents, wherever the robot is,
@@ -499,7 +503,7 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
       spec.robots, [&](const sema::Robot& robot) { return robot.kind == d.kind; });
   if (robots != 2 || kind.open_fleet) return wrong("they are no two");
   if (!drives_alone(spec, d, claims, m)) return wrong("another recovery may drive instead");
-  const auto asked = apart_by(spec, *m.always);
+  const auto asked = apart_by(spec, *m.always, true);
   if (!asked) return wrong("its property asks for more than a distance from other robots");
   const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
   if (milli(*route) < claims.leg_clearance(d, m, *zone)) return wrong(too_near);

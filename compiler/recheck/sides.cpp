@@ -448,6 +448,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (const auto most = most_speed(spec_, *part.expr, part.value)) {
     return rests.from_rest <= most->bound ? Back::yes : Back::slow;
   }
+  if (sema::speaks_of_speed(*part.expr)) return Back::no;  // no limit: not known at rest
   const bool high = sema::speaks_of_height(*part.expr);
   const auto zones = all_zones(*part.expr);
   if (sema::speaks_of_charge(*part.expr)) {

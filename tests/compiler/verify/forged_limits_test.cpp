@@ -57,6 +57,12 @@ TEST_F(ForgedLimits, WhoRestsIsLetGo) {
             std::string::npos);
 }
 
+// Who rests is not as fast as something asks.
+TEST_F(ForgedLimits, ALeastSpeedLetsNobodyGo) {
+  prove(rover("r.speed <= 0.9 m/s", "stop"));
+  expect_noticed_in("spec.rta", "<= 0.9 m/s", ">= 0.2 m/s", "P2b of `calm`");
+}
+
 TEST_F(ForgedLimits, ASumOrAMultipleOfTheHeightIsALimitOfIt) {
   const std::string beyond = "may go beyond a height that `m` allows";
   prove(quad("r.position.z - 1 m >= 9 m", "land to 15 m speed 0.5 m/s"));

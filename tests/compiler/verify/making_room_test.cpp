@@ -200,6 +200,14 @@ TEST_F(MakingRoom, WhoIsGivenBackNeedNoWay) {
   const Outcome again = rtac({"verify", "--recheck", "certificates"});
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
+// That something is not so near is no less than that it is so far.
+TEST_F(MakingRoom, ADistanceIsReadInOtherWords) {
+  EXPECT_EQ(room(halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)", "a, b",
+                            "not (distance(r, q) < 20 cm or distance(r, q) <= 10 cm)"))["status"],
+            "proved");
+  const Outcome again = rtac({"verify", "--recheck", "certificates"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
 // What a certificate says of it is held against the specification.
 void MakingRoom::expect_noticed() {
   const Json report = Json::parse(read("certificates/verification.json"));
