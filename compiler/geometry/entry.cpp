@@ -15,8 +15,9 @@
 namespace rtac::geometry {
 namespace {
 
-// A cell is cut into four, its quarters again, at most so often.
-constexpr int halvings_max = 8;
+// A cell is cut into four, its quarters again, at least so often, and until they are as wide.
+constexpr int halvings_least = 8;
+constexpr double part_mm = 1.6;
 // Before it is cut so often, ways are not followed closely: most turn out to be sound.
 constexpr int whole_levels = 3;
 // What may be lost of the clearance in the fence: less than the 10 mm by which a hold strays, and
@@ -151,6 +152,8 @@ class Entering {
       fence_ = *cells;
     }
     const double size = fence_.cell_mm;
+    halvings_max_ =
+        std::max(halvings_least, static_cast<int>(std::ceil(std::log2(size / part_mm))));
     for (std::int32_t row = 0; row < fence_.rows; ++row) {
       for (std::int32_t column = 0; column < fence_.columns; ++column) {
         const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(fence_.columns) +
@@ -168,7 +171,7 @@ class Entering {
         for (const Cell& c : cells) reach = std::max(reach, distance(c.middle, middle));
         (void)sight_.look_around(x, y, size, reach);
         const bool stays =
-            stays_within(connectors_.look_around(x, y, size, reach), cells, halvings_max);
+            stays_within(connectors_.look_around(x, y, size, reach), cells, halvings_max_);
         if (looks_ > looks_max) return {Entry::How::too_large, {}};
         if (stays) continue;
         return {Entry::How::beyond,
@@ -275,7 +278,7 @@ class Entering {
                         double off, double farthest) {
     const Vec middle{spot.x_mm, spot.y_mm};
     const double radius = spot.radius_mm();
-    const bool closely = halvings <= halvings_max - whole_levels;
+    const bool closely = halvings <= halvings_max_ - whole_levels;
     const double most = off + 2 * radius + query_.loss_mm + rounding_mm;
     if (goes_straight(spot, off)) {
       return nearest_are_sound(spot, off) || in_parts(spot, cells, halvings);
@@ -555,6 +558,7 @@ class Entering {
   std::vector<Box> boxes_;         // of the edges of the zone
   std::vector<std::size_t> near_;  // of those, for the cell
   std::vector<Vec> corners_;       // of the zone, that point into it
+  int halvings_max_ = halvings_least;
   std::int64_t looks_ = 0;
 };
 

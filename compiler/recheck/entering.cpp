@@ -30,7 +30,14 @@ class Entries {
  public:
   Entries(const std::vector<Segment>& zone, const Grid& grid, const std::vector<Segment>& fence,
           const EnteringLimits& limits)
-      : zone_(zone), grid_(grid), fence_(fence), limits_(limits), near_(zone) {
+      : zone_(zone),
+        grid_(grid),
+        fence_(fence),
+        limits_(limits),
+        square_(std::max(least_square_m, grid.cell)),
+        quarters_max_(quarters_of_least +
+                      static_cast<int>(std::ceil(std::log2(square_ / least_square_m)))),
+        near_(zone) {
     for (const geometry::Region& region : limits.starts) {
       starts_.push_back(segments_of(region));
     }
@@ -54,9 +61,9 @@ class Entries {
     };
     if (starts_.empty()) widen(fence_);
     std::ranges::for_each(starts_, widen);
-    for (double y = low - more; y < top + more; y += square_m) {
-      for (double x = left - more; x < right + more; x += square_m) {
-        const Box square{x, y, x + square_m, y + square_m};
+    for (double y = low - more; y < top + more; y += square_) {
+      for (double x = left - more; x < right + more; x += square_) {
+        const Box square{x, y, x + square_, y + square_};
         const double off = to_zone(middle(square));
         if (starts_.empty()
                 ? off > limits_.least + radius(square) + snap_m && contains(middle(square))
@@ -68,9 +75,9 @@ class Entries {
         for (const End& e : ends) reach = std::max(reach, apart(e.place, middle(square)));
         const Boundary boundary(
             fence_, middle(square),
-            reach + 2 * square_m + std::max(limits_.clearance, limits_.body) + snap_m);
-        if (limits_.alone) sight_.emplace(zone_, middle(square), reach + 1);
-        const bool stays = stays_within(boundary, square, ends, quarters_max);
+            reach + 2 * square_ + std::max(limits_.clearance, limits_.body) + snap_m);
+        if (limits_.alone) sight_.emplace(zone_, middle(square), reach + 1 + 2 * square_);
+        const bool stays = stays_within(boundary, square, ends, quarters_max_);
         if (steps_ > steps_max) return BadCells{true};
         if (!stays) return std::optional(geometry::Point{Rational(x), Rational(y)});
       }
@@ -79,10 +86,10 @@ class Entries {
   }
 
  private:
-  static constexpr double square_m = 0.1, over_cells_loss_m = 0.008;
+  static constexpr double least_square_m = 0.1, over_cells_loss_m = 0.008;
   // The first goal is told in millimetres, rounded up twice.
   static constexpr double rounded_m = 0.002;
-  static constexpr int quarters_max = 9, ways_followed_after = 3, parts = 16;
+  static constexpr int quarters_of_least = 9, ways_followed_after = 3, parts = 16;
   static constexpr std::int64_t steps_max = 6'000'000'000;
   // The search tries so many cells, ring by ring; with two rings more for the place that it begins
   // at and for cells that are none in its table.
@@ -242,7 +249,7 @@ class Entries {
       if (!e.stays) {
         steps_ += 30;
         e.stays = boundary.keeps(from, e.place, asked) ||
-                  leads_off(from, e, off, times <= quarters_max - ways_followed_after);
+                  leads_off(from, e, off, times <= quarters_max_ - ways_followed_after);
       }
       all = all && e.stays;
       if (limits_.alone || !e.stays) taken.push_back(e);
@@ -452,6 +459,9 @@ class Entries {
   const Grid& grid_;
   const std::vector<Segment>& fence_;
   const EnteringLimits limits_;
+  // in m: no wider than a cell, so that the search begins in the same one, or one beside it
+  const double square_;
+  const int quarters_max_;
   std::vector<std::vector<Segment>> starts_;  // the outline of each
   std::vector<Place> corners_;                // of the zone, that point into it
   double depth_ = 1e300;                      // of the zone in the fence
