@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -288,10 +289,13 @@ class Entering {
     const bool deep = outside && is_led_straight() && std::isfinite(farthest);
     const std::int32_t least_mm = deep ? query_.alone->aim_mm - aim_rounds_mm : query_.least_mm;
     std::vector<Cell> taken;
+    // Across the boundary of the zone no cell is known to be seen: once one way is not sound, those
+    // far off first, smaller parts tell, from which fewer are taken.
+    const bool parts_tell = query_.alone && std::abs(off) <= radius && !std::isfinite(farthest);
     bool all = true;
-    for (Cell c : cells) {
+    for (Cell c : cells | std::views::reverse) {
       if (distance(c.middle, middle) - radius > farthest || c.clearance_mm < least_mm) continue;
-      if (!c.settled) {
+      if (!c.settled && (all || !parts_tell)) {
         looks_ += 8;
         c.settled = connectors_.is_sound(spot, {c.middle.x, c.middle.y, 0}) ||
                     leads_off(spot, c, most, closely);
@@ -299,6 +303,7 @@ class Entering {
       all = all && c.settled;
       if (query_.alone || !c.settled) taken.push_back(c);
     }
+    std::ranges::reverse(taken);
     if (all && nearest_are_sound(spot, off)) return true;
     return in_parts(spot, taken, halvings);
   }
@@ -494,7 +499,9 @@ class Entering {
     return std::ranges::all_of(corners_, [&](Vec v) {
       const double way = distance(v, p);
       if (way > near) return true;
-      if (way <= radius) return false;  // it leads anywhere
+      if (way <= radius) {  // it leads anywhere
+        return connectors_.is_sound(spot, {v.x, v.y, 0}, farthest + 1);
+      }
       const Vec on{(p.x - v.x) / way, (p.y - v.y) / way};
       return is_straight_sound(spot, v, on, 2 * radius * farthest / (2 * way - radius));
     });

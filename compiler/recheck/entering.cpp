@@ -412,7 +412,15 @@ class Entries {
   bool leads_from(const Boundary& boundary, const Box& from, double asked, Place v) {
     const Place m = middle(from);
     const double way = apart(v, m);
-    if (way <= 2 * radius(from)) return false;
+    if (way <= 2 * radius(from)) {  // anywhere
+      const double far = limits_.straight_most + 0.001;
+      return boundary.keeps_to(from,
+                               {{v.x - far, v.y - far},
+                                {v.x + far, v.y - far},
+                                {v.x + far, v.y + far},
+                                {v.x - far, v.y + far}},
+                               asked);
+    }
     const Place on{(m.x - v.x) / way, (m.y - v.y) / way};
     const double wide = radius(from) / std::sqrt(way * way - radius(from) * radius(from));
     // the arc lies between its ends and where its tangent in the middle meets the sides

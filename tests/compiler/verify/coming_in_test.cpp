@@ -180,6 +180,15 @@ TEST_F(ComingIn, WaysIntoAPartOfALargeFieldAreFollowed) {
   EXPECT_EQ(rechecked(report).status, exit_clean);
 }
 
+// From beside a corner of what the part leaves out it leads anywhere, which is far from all walls.
+TEST_F(ComingIn, WaysOutOfABlockAreFollowedFromItsCorners) {
+  const Json report = report_of(
+      led_into("rectangle (0 m, 0 m) to (20 m, 9 m) | rectangle (10 m, 0 m) to (20 m, 16 m)",
+               "hall - circle (5 m, 4.5 m) radius 1 m"));
+  EXPECT_EQ(p2a_of(report)["status"], "proved") << p2a_of(report);
+  EXPECT_EQ(rechecked(report).status, exit_clean);
+}
+
 // Of two rooms, where both of their places are not convex, a recovery leads into the one: each
 // straight way from the other one stays in it, past the corner between them, until a robot is in
 // the first; where the other one reaches beyond that it cuts a corner.
