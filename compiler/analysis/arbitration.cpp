@@ -340,9 +340,11 @@ class Pair {
                     std::optional<std::int64_t> beyond_mm) {
     const std::string shared = beyond_mm ? deep_text(module_, zone, {fence, *beyond_mm}) : "";
     if (shared.empty()) return;
-    entry_.within.push_back({"a recovery within a zone that is `" + shared + "`",
+    // a zone of the plane is to be as high as the other one, and that is written with it
+    const bool as_high = module_[zone].has_height() != module_[fence].has_height();
+    entry_.within.push_back({as_high ? "" : "a recovery within a zone that is `" + shared + "`",
                              zone,
-                             {{{fence}, std::max<std::int64_t>(*beyond_mm, 0)}, {{zone}}}});
+                             {{{zone}}, {{fence}, std::max<std::int64_t>(*beyond_mm, 0)}}});
   }
   // What of a zone lies within the heights that are allowed, as a box tells that is around it.
   void offer_between(ir::ZoneIndex zone, std::optional<std::int64_t> least_mm,

@@ -14,11 +14,51 @@ using sema::ZoneExpr;
 using sema::ZoneExprPtr;
 using sema::ZoneOp;
 
+// From the lowest place of a zone to the highest one, or farther; m.
+struct Heights {
+  Rational floor, ceiling;
+};
+// nullopt: it lies in the plane, or is not told by numbers in the specification.
+std::optional<Heights> heights_of(const sema::Spec& spec, const ZoneExpr& zone) {
+  if (const auto* ref = std::get_if<sema::ZoneRef>(&zone.node)) {
+    return heights_of(spec, *spec[ref->zone].value);
+  }
+  if (const auto* prism = std::get_if<sema::ZonePrism>(&zone.node)) {
+    return Heights{prism->floor, prism->ceiling};
+  }
+  if (const auto* by = std::get_if<sema::ZoneOffset>(&zone.node)) {
+    auto of = heights_of(spec, *by->operand);
+    if (of) of = Heights{of->floor - by->distance, of->ceiling + by->distance};
+    return of;
+  }
+  const auto* both = std::get_if<sema::ZoneBinary>(&zone.node);
+  if (both == nullptr) return std::nullopt;
+  const auto left = heights_of(spec, *both->left);
+  if (both->op != ZoneOp::unite) return left;
+  const auto right = heights_of(spec, *both->right);
+  if (!left || !right) return std::nullopt;
+  return Heights{std::min(left->floor, right->floor), std::max(left->ceiling, right->ceiling)};
+}
+
 class Writer {
  public:
   Writer(const sema::Spec& spec, const SourceRange& range) : spec_(spec), range_(range) {}
 
-  [[nodiscard]] ZoneExprPtr common(const std::vector<DeclaredPart>& parts) const {
+  [[nodiscard]] bool have_height(const std::vector<DeclaredPart>& parts) const {
+    return std::ranges::any_of(parts, [&](const DeclaredPart& part) {
+      return part.layer || std::ranges::any_of(part.either, [&](sema::ZoneId zone) {
+               return spec_[zone].has_height;
+             });
+    });
+  }
+  // None: zones of the plane have to be as high as one that does not say how high it is.
+  [[nodiscard]] ZoneExprPtr common(const std::vector<DeclaredPart>& parts) {
+    as_high_as_ = heights(parts);
+    if (have_height(parts) && !as_high_as_ && std::ranges::any_of(parts, [&](const auto& part) {
+          return std::ranges::any_of(part.either, [&](sema::ZoneId z) { return is_flat(z); });
+        })) {
+      return nullptr;
+    }
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const DeclaredPart& part : parts) {
       if (part.layer) {
@@ -28,14 +68,20 @@ class Writer {
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
       if (hole) {
         join(rest, ZoneOp::intersect, offset(make(sema::ZoneComplement{*hole}), -part.off_mm));
-        join(without, ZoneOp::unite, offset(make(sema::ZoneRef{*hole}), part.off_mm));
+        auto grown = offset(make(sema::ZoneRef{*hole}), part.off_mm);
+        join(without, ZoneOp::unite, is_flat(*hole) ? as_high(std::move(grown)) : std::move(grown));
         continue;
       }
+      // what lies in the plane is offset there
+      const bool flat = std::ranges::all_of(part.either, [&](auto zone) { return is_flat(zone); });
       ZoneExprPtr some;
       for (const sema::ZoneId zone : part.either) {
-        join(some, ZoneOp::unite, make(sema::ZoneRef{zone}));
+        auto one = make(sema::ZoneRef{zone});
+        join(some, ZoneOp::unite,
+             is_flat(zone) && !flat ? as_high(std::move(one)) : std::move(one));
       }
-      join(all, ZoneOp::intersect, offset(std::move(some), -part.off_mm));
+      some = offset(std::move(some), -part.off_mm);
+      join(all, ZoneOp::intersect, flat ? as_high(std::move(some)) : std::move(some));
     }
     if (!all) return rest;
     if (without) join(all, ZoneOp::subtract, std::move(without));
@@ -66,8 +112,37 @@ class Writer {
     return of == nullptr ? std::nullopt : std::optional(of->zone);
   }
 
+  [[nodiscard]] bool is_flat(sema::ZoneId zone) const { return !spec_[zone].has_height; }
+  // Of the first part that says so.
+  [[nodiscard]] std::optional<Heights> heights(const std::vector<DeclaredPart>& parts) const {
+    for (const DeclaredPart& part : parts) {
+      if (part.layer) {
+        return Heights{metres_of(part.layer->floor_mm), metres_of(part.layer->ceiling_mm)};
+      }
+      const bool hole = part.either.size() == 1 && outside_of(part.either[0]);
+      const auto of = hole ? std::nullopt : of_all(part.either);
+      if (of) return of;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<Heights> of_all(const std::vector<sema::ZoneId>& zones) const {
+    std::optional<Heights> all;
+    for (const sema::ZoneId zone : zones) {
+      const auto of = heights_of(spec_, *spec_[zone].value);
+      if (!of) return std::nullopt;
+      all =
+          all ? Heights{std::min(all->floor, of->floor), std::max(all->ceiling, of->ceiling)} : *of;
+    }
+    return all;
+  }
+  [[nodiscard]] ZoneExprPtr as_high(ZoneExprPtr of) const {
+    if (!as_high_as_) return of;
+    return make(sema::ZonePrism{std::move(of), as_high_as_->floor, as_high_as_->ceiling});
+  }
+
   const sema::Spec& spec_;
   SourceRange range_;
+  std::optional<Heights> as_high_as_;  // zones of the plane; none: all of them lie there
 };
 
 }  // namespace
@@ -101,20 +176,14 @@ std::optional<std::vector<DeclaredPart>> declared(const std::vector<ZonePart>& p
 sema::Zone common_zone(const sema::Spec& spec, sema::ZoneId from,
                        const std::vector<DeclaredPart>& parts) {
   const sema::Zone& moved_in = spec[from];
-  const bool has_height = std::ranges::any_of(parts, [&](const DeclaredPart& part) {
-    const auto is_high = [&](sema::ZoneId zone) { return spec[zone].has_height; };
-    return part.layer || std::ranges::any_of(part.either, is_high);
-  });
-  return {"",
-          moved_in.name_range,
-          Writer(spec, moved_in.value->range).common(parts),
-          moved_in.frame,
-          has_height,
+  Writer writer(spec, moved_in.value->range);
+  return {"", moved_in.name_range, writer.common(parts), moved_in.frame, writer.have_height(parts),
           {}};
 }
 
 std::string common_text(const sema::Spec& spec, const std::vector<DeclaredPart>& parts) {
-  return zone_text(spec, *Writer(spec, {}).common(parts));
+  const auto zone = Writer(spec, {}).common(parts);
+  return zone ? zone_text(spec, *zone) : "";
 }
 
 }  // namespace rtac::analysis

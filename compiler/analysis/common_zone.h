@@ -36,7 +36,8 @@ using ZoneOf = std::function<std::optional<sema::ZoneId>(ir::ZoneIndex)>;
 std::optional<std::vector<DeclaredPart>> declared(const std::vector<ZonePart>& parts,
                                                   const ZoneOf& zone_of);
 
-// What all of these have in common, which are at least one, in the place of `from`.
+// What all of these have in common, which are at least one, in the place of `from`. A zone of the
+// plane among others is as high as these; without a value where that is not told by numbers.
 sema::Zone common_zone(const sema::Spec& spec, sema::ZoneId from,
                        const std::vector<DeclaredPart>& parts);
 // As in zone_text.h.

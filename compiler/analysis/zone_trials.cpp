@@ -17,12 +17,14 @@ using sema::ZoneOp;
 ZoneOf zone_of(const Trials& trials) {
   return [&](ir::ZoneIndex table) { return trials.zone_of(table); };
 }
-// nullopt: a part is a slab.
+// nullopt: a part is a slab, or cannot be as high as others.
 std::optional<sema::Zone> made(const Trials& trials, ir::ZoneIndex from,
                                const std::vector<ZonePart>& parts) {
   const auto old = trials.zone_of(from);
   const auto all = declared(parts, zone_of(trials));
-  return old && all ? std::optional(common_zone(trials.spec(), *old, *all)) : std::nullopt;
+  if (!old || !all) return std::nullopt;
+  auto zone = common_zone(trials.spec(), *old, *all);
+  return zone.value ? std::optional(std::move(zone)) : std::nullopt;
 }
 std::string name_of(const ir::Module& module, const std::vector<ZonePart>& parts) {
   std::string name;

@@ -191,6 +191,7 @@ bool can_move_within(const sema::Spec& spec, const OtherZone& other, const sema:
 Undo rewritten(sema::Spec& spec, const OtherZone& other) {
   const auto known = named_zone(spec, other);
   sema::Zone zone = analysis::common_zone(spec, other.from, other.parts);
+  if (!known && !zone.value) return {};
   if (!can_move_within(spec, other, known ? spec[*known] : zone)) return {};
   const sema::ZoneId next{static_cast<std::uint32_t>(spec.zones.size())};
   const Undo undo = changed(spec, other.recovery, [&](auto& each) {

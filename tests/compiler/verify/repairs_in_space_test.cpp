@@ -43,6 +43,35 @@ TEST_F(RepairsInSpace, ABandThatIsTooLowIsToldHowMuchItHasToGrow) {
   EXPECT_FALSE(works(page("grow(plain, " + m(0.95 * by) + ")"))) << by;
 }
 
+// What a zone of the plane leaves of one with height is as high as that: written so, it works.
+TEST_F(RepairsInSpace, AZoneOfThePlaneIsOfferedAsHighAsTheOther) {
+  const auto page = [](const std::string& inner, const std::string& monitors,
+                       const std::string& order) {
+    return "spec plot;\n"
+           "zone air = prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 30 m;\n"
+           "zone plot = rectangle (0 m, 0 m) to (60 m, 40 m);\nzone inner = " +
+           inner + ";\n" + a_quad +
+           "controller flat : safe for Quad = retreat within inner speed 0.5 m/s;\n"
+           "controller level : safe for Quad = retreat within plot speed 0.5 m/s;\n" +
+           monitors + "decision fly for Quad { advanced policy; period 50 ms; priority " + order +
+           "; }\n";
+  };
+  const std::string over =
+      "monitor over for r : Quad { \"R1\" always clearance(r, plot) >= 2 m; recover ";
+  const std::string air =
+      "monitor air_only for r : Quad { \"R2\" always r inside air; recover flat; }\n";
+  const std::string left = "air & prism (shrink(plot, 2 m)) from 0 m to 30 m";
+  const std::string its_own = over + "flat; }\n", another = over + "level; }\n" + air;
+  const Outcome own = verified(edited(page("air", its_own, "over"), "inner speed", "air speed"));
+  EXPECT_EQ(own.status, exit_inconclusive) << own.out << own.err;
+  EXPECT_NE(own.err.find("works, such as `" + left + "`"), std::string::npos) << own.err;
+  EXPECT_TRUE(works(page(left, its_own, "over")));
+  const Outcome other =
+      verified(edited(page("air", another, "air_only > over"), "inner speed", "air speed"));
+  EXPECT_EQ(other.status, exit_inconclusive) << other.out << other.err;
+  EXPECT_NE(other.err.find("that is `" + left + "` works"), std::string::npos) << other.err;
+}
+
 // Who is found above where it lands waits there, and above the limit for ever.
 TEST_F(RepairsInSpace, ALandingAboveItsLimitIsToldHowLowItHasToEnd) {
   const auto page = [](const std::string& height, const std::string& always) {
