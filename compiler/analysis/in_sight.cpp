@@ -5,6 +5,7 @@
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
+#include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/tables.h"
 
 namespace rtac::analysis {
@@ -33,7 +34,8 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
 
 std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
                                        const ir::Cells& cells, const ir::Decision& decision,
-                                       const ir::Recovery& recovery, std::int64_t kept_mm) {
+                                       const ir::Recovery& recovery, std::int64_t kept_mm,
+                                       const geometry::Region& zone) {
   const ir::Body& body = decision.body;
   const std::int64_t least_mm = body.radius_mm + kept_mm - body.position_error_mm;
   if (!ir::goes_back(recovery.kind) || least_mm >= body.radius_mm) return std::nullopt;
@@ -41,11 +43,20 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
   const std::int64_t fits_mm = body.radius_mm + body.end_reach_mm + body.position_error_mm;
   const std::int64_t goal_mm = std::min(fits_mm, recovery.route_clearance_mm);
   const geometry::CellGrid grid = grid_of(cells);
-  geometry::StraightLegs legs(edges, grid, in_mm(std::max<std::int64_t>(least_mm, 0)),
-                              in_mm(goal_mm));
+  const std::int32_t least = in_mm(std::max<std::int64_t>(least_mm, 0)), goal = in_mm(goal_mm);
+  std::optional<geometry::StraightLegs> legs;
+  legs.emplace(edges, grid, least, goal);
+  bool from_bodies = false;
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
-    if (cells.clearance_mm_lo[at] >= goal_mm || !legs.holds_some(at)) continue;
-    if (!legs.longest_from(at)) return at;
+    if (cells.clearance_mm_lo[at] >= goal_mm || !legs->holds_some(at)) continue;
+    if (legs->longest_from(at)) continue;
+    if (from_bodies) return at;
+    // it is seen as far from where it is as its error, and there a body has to fit
+    const auto bodies = within(zone, body.radius_mm + kept_mm);
+    if (!bodies) return at;
+    from_bodies = true;
+    legs.emplace(edges, grid, least, goal, *bodies, in_mm(body.position_error_mm));
+    if (!legs->longest_from(at)) return at;
   }
   return std::nullopt;
 }

@@ -23,11 +23,12 @@ std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recov
 // A cell near the boundary from which a robot may find no way, as it is seen with less clearance
 // than its body takes: by its position error, where it has that much. Then it takes no detours over
 // cells (runtime: RetreatManoeuvre), but a leg straight in sight to where it is seen to fit.
-// `kept_mm`: what its monitor surely keeps from the boundary beyond touching it. nullopt: from
-// everywhere there is one.
+// `kept_mm`: what its monitor surely keeps from the boundary of `zone` beyond touching it. nullopt:
+// from everywhere there is one.
 std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edges,
                                        const ir::Cells& cells, const ir::Decision& decision,
-                                       const ir::Recovery& recovery, std::int64_t kept_mm);
+                                       const ir::Recovery& recovery, std::int64_t kept_mm,
+                                       const geometry::Region& zone);
 
 // The longest legs by which a recovery leads in who may be seen with less clearance than its body
 // takes: the first to where ways begin, or else all the way to where control is given back. 0:

@@ -12,6 +12,7 @@
 
 #include "compiler/geometry/connectors.h"
 #include "compiler/geometry/kept.h"
+#include "compiler/geometry/starts.h"
 
 namespace rtac::geometry {
 namespace {
@@ -66,62 +67,6 @@ Vec nearest_on(const EdgeRow& e, Vec p) {
   return {a.x + t * d.x, a.y + t * d.y};
 }
 
-struct Line {
-  Vec a, b;
-};
-// Where bodies may be, as far as offsets and the grid tell.
-class Starts {
- public:
-  explicit Starts(const Region& region) {
-    for (const Ring& ring : region.rings()) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        lines_.push_back(
-            {{1e3 * a.x.get_d(), 1e3 * a.y.get_d()}, {1e3 * b.x.get_d(), 1e3 * b.y.get_d()}});
-      }
-    }
-  }
-  // Cells that cover them; nullopt: they have no end.
-  [[nodiscard]] std::optional<CellGrid> cells() const {
-    constexpr double far_mm = 1e8, most = 40'000;  // zones lie within 100 km of the origin
-    Box box{far_mm, far_mm, -far_mm, -far_mm};
-    for (const Line& e : lines_) {
-      box = {std::min(box.left, e.a.x), std::min(box.low, e.a.y), std::max(box.right, e.a.x),
-             std::max(box.top, e.a.y)};
-    }
-    CellGrid grid;
-    if (lines_.empty()) return grid;
-    const double farthest = std::max({-box.left, -box.low, box.right, box.top});
-    if (farthest > far_mm) return std::nullopt;
-    const double wide = box.right - box.left, high = box.top - box.low;
-    while (wide * high > most * grid.cell_mm * grid.cell_mm) grid.cell_mm *= 2;
-    grid.origin = {static_cast<std::int32_t>(box.left) - 2 * off_mm,
-                   static_cast<std::int32_t>(box.low) - 2 * off_mm};
-    grid.columns = static_cast<std::int32_t>((wide + 4 * off_mm) / grid.cell_mm) + 1;
-    grid.rows = static_cast<std::int32_t>((high + 4 * off_mm) / grid.cell_mm) + 1;
-    grid.clearance_mm_lo.assign(
-        static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
-    return grid;
-  }
-  // Some of them may be so near.
-  [[nodiscard]] bool are_near(Vec p, double within) const {
-    bool inside = false;
-    for (const Line& e : lines_) {
-      const Vec d = e.b - e.a, off = p - e.a;
-      const double t = std::clamp((off.x * d.x + off.y * d.y) / (d.x * d.x + d.y * d.y), 0.0, 1.0);
-      if (distance(p, {e.a.x + t * d.x, e.a.y + t * d.y}) <= within + off_mm) return true;
-      if ((e.a.y > p.y) == (e.b.y > p.y)) continue;
-      if (p.x < e.a.x + (p.y - e.a.y) / d.y * d.x) inside = !inside;
-    }
-    return inside;
-  }
-
- private:
-  // in mm: twice that of offsets, and of the grid, so that who rounds other things finds the same
-  static constexpr std::int32_t off_mm = 9;
-  std::vector<Line> lines_;
-};
-
 class Entering {
  public:
   Entering(const Table& zone, const Table& fence, const EntryQuery& query)
@@ -163,7 +108,7 @@ class Entering {
         const double x = fence_.origin.x_mm + column * size, y = fence_.origin.y_mm + row * size;
         const Vec middle{x + size / 2, y + size / 2};
         look_at_all();
-        if (starts_ ? !starts_->are_near(middle, size / std::sqrt(2.0))
+        if (starts_ ? !starts_->are_near(middle.x, middle.y, size / std::sqrt(2.0))
                     : is_inside(middle, size / std::sqrt(2.0) + query_.least_mm)) {
           continue;
         }
@@ -254,7 +199,7 @@ class Entering {
     const Vec middle{spot.x_mm, spot.y_mm};
     const double radius = spot.radius_mm();
     if (connectors_.holds_nobody(spot)) return true;
-    if (starts_ && !starts_->are_near(middle, radius)) return true;
+    if (starts_ && !starts_->are_near(middle.x, middle.y, radius)) return true;
     const double nearest = nearest_of_zone(middle), off = contains(middle) ? -nearest : nearest;
     if (keeps_what_it_has(spot, -off - radius)) return true;
     if (looks_ > looks_max) return false;

@@ -11,7 +11,7 @@ namespace {
 // Of the cells that hold places of the zone it tries so many, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
 // Mostly one of the nearest ones is in sight.
-constexpr std::size_t enough = 64;
+constexpr std::size_t enough = 256;
 // A cell is cut into four, its quarters again, at most so often.
 constexpr int halvings_max = 7;
 // Of what the recovery forgives a leg (loss_m of runtime/core/retreat.cpp), 1 mm is to spare.
@@ -85,19 +85,28 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
       legs_(edges, goal_mm, body_mm, forgiven_mm),
       around_(edges, goal_mm + 2 * cells.cell_mm, body_mm) {}
 
+StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells,
+                           std::int32_t body_mm, std::int32_t goal_mm, const Region& starts,
+                           std::int32_t error_mm)
+    : StraightLegs(edges, cells, body_mm, goal_mm) {
+  starts_ = Starts(starts);
+  error_mm_ = error_mm;
+}
+
 std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_mm) {
   const auto columns = static_cast<std::size_t>(cells_.columns);
   const auto column = static_cast<std::int32_t>(cell % columns);
   const auto row = static_cast<std::int32_t>(cell / columns);
+  const double size = cells_.cell_mm;
+  const double west = cells_.origin.x_mm + column * size;
+  const double south = cells_.origin.y_mm + row * size;
+  if (starts_ && !starts_->are_near(west + size / 2, south + size / 2, error_mm_ + size)) return 0;
   const std::vector<End> ends = ends_of(cell, false);
   gave_up_ = !ends.empty() && looks_ > looks_max;
   if (ends.empty() || gave_up_) return std::nullopt;
-  const double size = cells_.cell_mm;
   // there the clearance along a leg is no less than at the end that has less, and the place that it
   // leads from has less than a goal
   if (convex_ && ends.front().off_mm + size <= most_mm) return ends.front().off_mm + size;
-  const double west = cells_.origin.x_mm + column * size;
-  const double south = cells_.origin.y_mm + row * size;
   double reach = 0;
   for (const End& end : ends) reach = std::max(reach, end.off_mm);
   const std::int64_t before = looks();
@@ -110,7 +119,8 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
 }
 
 bool StraightLegs::needs_none(const Connectors::Spot& spot) const {
-  return around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_;
+  if (around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_) return true;
+  return starts_ && !starts_->are_near(spot.x_mm, spot.y_mm, error_mm_ + spot.radius_mm());
 }
 
 // The nearest one in sight is taken, and none that is tried is left out for one that is farther.

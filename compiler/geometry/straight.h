@@ -9,6 +9,7 @@
 
 #include "compiler/geometry/bake.h"
 #include "compiler/geometry/connectors.h"
+#include "compiler/geometry/starts.h"
 
 namespace rtac::geometry {
 
@@ -19,6 +20,9 @@ class StraightLegs {
   // counts. `edges` and `cells` have to outlive it.
   StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells, std::int32_t body_mm,
                std::int32_t goal_mm);
+  // The same of places that are no farther than `error_mm` from some of `starts`.
+  StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& cells, std::int32_t body_mm,
+               std::int32_t goal_mm, const Region& starts, std::int32_t error_mm);
   // In mm, of the leg that is taken from any place of the cell, at most; nullopt: from some place
   // none is known, or it may be longer than `most_mm`.
   [[nodiscard]] std::optional<double> longest_from(
@@ -53,8 +57,10 @@ class StraightLegs {
   const std::int32_t clearest_mm_;  // of all cells
   const bool convex_;
   const std::vector<bool> beside_;  // by cell: the recheck may take it for one that is tried
-  Connectors legs_;                 // what they keep
-  Connectors around_;               // of places
+  std::optional<Starts> starts_{};
+  double error_mm_ = 0;
+  Connectors legs_;                         // what they keep
+  Connectors around_;                       // of places
   std::int64_t looks_ = 0, looks_end_ = 0;  // so many taken, and where a cell has had its share
   bool gave_up_ = false;
 };

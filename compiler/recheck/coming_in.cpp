@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "compiler/recheck/entering.h"
+#include "compiler/recheck/starts.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
@@ -131,8 +132,6 @@ geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
   return starts;
 }
 
-// What is known of offsets from inside and outside (geometry/region.h).
-const Rational offsets_round(3, 1000);
 // Of numbers that the compiler rounds up to millimetres, m.
 const Rational rounding(4, 1000);
 

@@ -10,6 +10,7 @@
 
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/legs.h"
+#include "compiler/recheck/starts.h"
 
 namespace rtac::recheck {
 namespace {
@@ -37,10 +38,8 @@ class Entries {
         square_(std::max(least_square_m, grid.cell)),
         quarters_max_(quarters_of_least +
                       static_cast<int>(std::ceil(std::log2(square_ / least_square_m)))),
+        starts_(limits.starts, limits.starts_off),
         near_(zone) {
-    for (const geometry::Region& region : limits.starts) {
-      starts_.push_back(segments_of(region));
-    }
     if (limits.straight_most > 0) corners_ = corners_inwards();
     if (limits.depth) {
       depth_ = *limits.depth;
@@ -52,7 +51,7 @@ class Entries {
 
   std::variant<std::optional<geometry::Point>, BadCells> run() {
     double left = 1e300, low = 1e300, right = -1e300, top = -1e300;
-    const double more = limits_.starts_off;
+    const double more = starts_.off();
     const auto widen = [&](const std::vector<Segment>& edges) {
       for (const Segment& s : edges) {
         left = std::min({left, s.ax, s.bx}), right = std::max({right, s.ax, s.bx});
@@ -60,14 +59,14 @@ class Entries {
       }
     };
     if (starts_.empty()) widen(fence_);
-    std::ranges::for_each(starts_, widen);
+    std::ranges::for_each(starts_.outlines(), widen);
     for (double y = low - more; y < top + more; y += square_) {
       for (double x = left - more; x < right + more; x += square_) {
         const Box square{x, y, x + square_, y + square_};
         const double off = to_zone(middle(square));
         if (starts_.empty()
                 ? off > limits_.least + radius(square) + snap_m && contains(middle(square))
-                : !may_start(square)) {
+                : !starts_.may_be_in(square)) {
           continue;
         }
         const std::vector<End> ends = ends_near(middle(square));
@@ -99,15 +98,6 @@ class Entries {
   [[nodiscard]] double forgiven() const { return std::max(0.0097, limits_.loss + 0.0018); }
 
   static double apart(Place a, Place b) { return length(a.x - b.x, a.y - b.y); }
-  // Even-odd, of one outline.
-  static bool holds(const std::vector<Segment>& edges, Place p) {
-    bool in = false;
-    for (const Segment& s : edges) {
-      if ((s.ay > p.y) == (s.by > p.y)) continue;
-      if (p.x < s.ax + (p.y - s.ay) / (s.by - s.ay) * (s.bx - s.ax)) in = !in;
-    }
-    return in;
-  }
   [[nodiscard]] bool contains(Place p) const { return holds(zone_, p); }
   double to_zone(Place p) {
     steps_ += static_cast<std::int64_t>(near_.size());
@@ -125,16 +115,6 @@ class Entries {
     for (const Segment& s : zone_) {
       if (std::sqrt(square_to(s, m.x, m.y)) <= std::abs(off) + 2 * way) near_.push_back(s);
     }
-  }
-  // Some body may be in the square: in one of the places, which may overlap.
-  [[nodiscard]] bool may_start(const Box& b) const {
-    const double within = radius(b) + limits_.starts_off;
-    const Place m = middle(b);
-    return std::ranges::any_of(starts_, [&](const std::vector<Segment>& edges) {
-      return holds(edges, m) || std::ranges::any_of(edges, [&](const Segment& s) {
-               return square_to(s, m.x, m.y) <= within * within;
-             });
-    });
   }
   // From the ends of one segment.
   static double between(const Segment& s, const std::vector<Segment>& others) {
@@ -210,7 +190,7 @@ class Entries {
   bool stays_within(const Boundary& boundary, const Box& from, const std::vector<End>& ends,
                     int times) {
     if (boundary.holds_nobody(from, limits_.body)) return true;
-    if (!starts_.empty() && !may_start(from)) return true;
+    if (!starts_.empty() && !starts_.may_be_in(from)) return true;
     const double nearest = to_zone(middle(from));
     const double off = contains(middle(from)) ? -nearest : nearest;
     const double inside = -off - radius(from) - snap_m;
@@ -470,11 +450,11 @@ class Entries {
   // in m: no wider than a cell, so that the search begins in the same one, or one beside it
   const double square_;
   const int quarters_max_;
-  std::vector<std::vector<Segment>> starts_;  // the outline of each
-  std::vector<Place> corners_;                // of the zone, that point into it
-  double depth_ = 1e300;                      // of the zone in the fence
-  std::optional<Boundary> sight_;             // of the zone
-  std::vector<Segment> near_;                 // of the zone, what matters to a square
+  const Starts starts_;            // which may overlap
+  std::vector<Place> corners_;     // of the zone, that point into it
+  double depth_ = 1e300;           // of the zone in the fence
+  std::optional<Boundary> sight_;  // of the zone
+  std::vector<Segment> near_;      // of the zone, what matters to a square
   std::int64_t steps_ = 0;
 };
 

@@ -249,11 +249,13 @@ Found Claims::led_in(const sema::Decision& d, const sema::Monitor& m, sema::Zone
                      const Cells& cells, const Rational& route) {
   const sema::RobotKind& kind = spec_[d.kind];
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
-  const Rational seen = kind.radius.value + sure_gap_of(spec_, *m.always, zone) - error;
+  const Rational body = kind.radius.value + sure_gap_of(spec_, *m.always, zone);
+  const Rational seen = body - error;
   if (sema::route_of(spec_[*m.recover]) || seen >= kind.radius.value) return std::nullopt;
   const Rational fits =
       std::min(route, Rational(kind.radius.value + error + std::max(error, Rational(2, 100))));
-  const auto found = without_leg(*zones_.region(zone), cells, std::max(seen, Rational(0)), fits);
+  const auto found =
+      without_leg(*zones_.region(zone), cells, std::max(seen, Rational(0)), body, fits);
   if (std::holds_alternative<std::monostate>(found)) return std::nullopt;
   return wrong("from where it is seen to be outside no leg leads to where it fits");
 }

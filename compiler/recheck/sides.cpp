@@ -5,6 +5,7 @@
 
 #include "compiler/recheck/at_worst.h"
 #include "compiler/recheck/company.h"
+#include "compiler/recheck/starts.h"
 #include "compiler/recheck/sums.h"
 #include "compiler/sema/same.h"
 #include "compiler/sema/templates.h"
@@ -12,9 +13,6 @@
 
 namespace rtac::recheck {
 namespace {
-
-// What is known of offsets from inside and outside (geometry/region.h).
-const Rational offsets_round(3, 1000);
 
 // The limit of its own speed that a comparison asks for, which has to be true, or false.
 std::optional<LimitOfOne> most_speed(const sema::Spec& spec, const sema::Expr& e, bool value) {

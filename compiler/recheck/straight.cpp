@@ -8,7 +8,7 @@ namespace {
 
 // The search tries so many cells of the zone, ring by ring; and some of them are enough.
 constexpr int tests_max = 2000, quarters_max = 7;
-constexpr std::size_t enough = 80;
+constexpr std::size_t enough = 320;
 // It forgives 2 mm, of which half may be lost to the grid.
 constexpr double forgiven_m = 0.001;
 constexpr std::int64_t steps_max = 60'000'000, of_cell_max = 600'000;
@@ -71,6 +71,8 @@ Straight::Tried Straight::visit_ring(std::size_t cell, int ring, const Visit& vi
 }
 
 std::optional<double> Straight::longest_from(std::size_t cell, double goal, double most) {
+  const Box here = grid_.box(cell % grid_.columns, cell / grid_.columns, 1);
+  if (starts_ && !starts_->may_be_in(here)) return 0.0;
   std::vector<Place> ends;
   int tried = 0;
   const auto last = static_cast<int>(std::max(grid_.columns, grid_.rows));
@@ -82,7 +84,6 @@ std::optional<double> Straight::longest_from(std::size_t cell, double goal, doub
     if (tried > tests_max) break;
     ends.insert(ends.end(), of_ring.begin(), of_ring.end());
   }
-  const Box here = grid_.box(cell % grid_.columns, cell / grid_.columns, 1);
   std::ranges::stable_sort(ends, {}, [&](Place end) { return apart(end, middle(here)); });
   steps_ += static_cast<std::int64_t>(zone_.size());
   if (ends.empty() || steps_ > steps_max) return std::nullopt;
@@ -97,6 +98,7 @@ std::optional<double> Straight::longest_from(std::size_t cell, double goal, doub
 std::optional<double> Straight::longest_in(const Boundary& boundary, const Box& from, double goal,
                                            double most, const std::vector<Place>& ends, int times) {
   if (boundary.holds_nobody(from, body_)) return 0.0;
+  if (starts_ && !starts_->may_be_in(from)) return 0.0;
   const double counts = goal + table_m + 2 * radius(from);  // no more of the clearance matters
   if (boundary.asked_from(from, counts, 0) >= counts) return 0.0;
   const double asked = boundary.asked_from(from, goal, forgiven_m);

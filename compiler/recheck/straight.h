@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "compiler/recheck/grid.h"
 #include "compiler/recheck/legs.h"
+#include "compiler/recheck/starts.h"
 
 namespace rtac::recheck {
 
@@ -17,6 +19,8 @@ class Straight {
   // `zone` and `grid` have to outlive it. Where the zone is `convex`, every leg to a goal keeps
   // what the robot has.
   Straight(const std::vector<Segment>& zone, const Grid& grid, double body, bool convex);
+  // Only places count from then on where somebody may be.
+  void begin_at(Starts starts) { starts_ = std::move(starts); }
   // How long the leg is that is taken from any place of a cell to one that is so clear, at most;
   // a body that has as much needs none. nullopt: from some place none is known that is no longer
   // than `most`.
@@ -41,7 +45,8 @@ class Straight {
   const Grid& grid_;
   const double body_;
   const bool convex_;
-  const std::vector<bool> met_;  // by cell: the boundary may be there
+  const std::vector<bool> met_;   // by cell: the boundary may be there
+  std::optional<Starts> starts_;  // none: anywhere
   std::int64_t steps_ = 0, steps_end_ = 0;
 };
 

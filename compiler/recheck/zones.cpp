@@ -286,15 +286,23 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
 std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geometry::Region& zone,
                                                                     const Cells& cells,
                                                                     const Rational& seen_m,
+                                                                    const Rational& body_m,
                                                                     const Rational& fits_m) {
   const std::optional<OnGrid> found = on_grid(zone, cells);
   if (!found) return BadCells{};
   const double goal = fits_m.get_d();
   Straight straight(found->edges, found->cells, seen_m.get_d(), found->convex);
+  bool from_bodies = false;
   for (std::size_t at = 0; at < found->cells.clearance.size(); ++at) {
     const double clearance = found->cells.clearance[at];
     if (is_clear(clearance, goal) || (clearance < 0 && !straight.holds_some(at))) continue;
     if (straight.longest_from(at, goal)) continue;
+    if (!from_bodies) {
+      from_bodies = true;
+      const Rational off = body_m - seen_m + offsets_round;
+      if (auto bodies = zone.offset(-body_m)) straight.begin_at({{*bodies}, off.get_d()});
+      if (straight.longest_from(at, goal)) continue;
+    }
     return middle_of(found->cells, at);
   }
   return std::monostate{};

@@ -78,7 +78,8 @@ std::string led_nowhere(const Subject& s, std::size_t k, const ir::Recovery& las
     if (here) kept_mm = std::max(kept_mm, either[0].mm);
   }
   const ir::Cells& cells = zone.cells;
-  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last, kept_mm);
+  const auto at = analysis::led_nowhere(analysis::edges_of(zone), cells, s.decision, last, kept_mm,
+                                        s.exact(last.zone));
   if (!at) return "";
   const auto columns = static_cast<std::size_t>(cells.columns);
   const auto middle = [&](std::int64_t origin, std::size_t n) {

@@ -66,13 +66,32 @@ TEST(JoiningOnceMore, WhoIsSeenToBeOutsideHasToSeeWhereItFits) {
                                {-4, 1},
                                {0, 1}}
               : geometry::Ring{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {0, 2}, {-4, 2}, {-4, 1}, {0, 1}}});
-    const auto found = recheck::without_leg(zone, {100, -4000, 0}, Rational(10, 100), fits);
+    const auto found =
+        recheck::without_leg(zone, {100, -4000, 0}, Rational(10, 100), Rational(10, 100), fits);
     EXPECT_FALSE(std::holds_alternative<recheck::BadCells>(found));
     return std::holds_alternative<geometry::Point>(found);
   };
   EXPECT_FALSE(lost(false, Rational(3, 10)));
   EXPECT_FALSE(lost(true, Rational(3, 10)));
   EXPECT_TRUE(lost(true, Rational(7, 10)));
+}
+
+// Between shelves that are as far apart as a robot is wide, and hardly less, nobody is; its error
+// shows it there no deeper than where it fits.
+TEST_F(Joining, ANicheThatIsNarrowerThanTheBodyHoldsNobody) {
+  for (const char* wide : {"3.39 m", "3.37 m", "3.3 m"}) {
+    const Outcome o = verified(
+        std::string("spec niche;\nzone hall = rectangle (0 m, 0 m) to (11 m, 8 m)\n"
+                    "  - rectangle (4 m, 2 m) to (7 m, 3 m)\n"
+                    "  - rectangle (4 m, ") +
+            wide + ") to (7 m, 5 m);\n" + edited(a_rover, "point error 2 cm", "point error 3 cm") +
+            "controller back : safe for Rover = retreat within hall speed 0.3 m/s;\n"
+            "monitor fence for r : Rover { \"R1\" always r inside hall; recover back; }\n"
+            "decision go for Rover { advanced drive; period 50 ms; priority fence; }\n",
+        {"-o", "certificates"});
+    EXPECT_EQ(o.status, exit_clean) << wide << o.out << o.err;
+    EXPECT_EQ(rtac({"verify", "--recheck", "certificates"}).status, exit_clean) << wide;
+  }
 }
 
 TEST(JoiningOnceMore, FindsNarrowPassagesItself) {
