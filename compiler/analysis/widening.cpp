@@ -14,7 +14,7 @@ namespace rtac::analysis {
 namespace {
 
 // What all widths that are tried may take: some 10 s (geometry/looks.h).
-constexpr std::int64_t looks_most = 400'000'000;
+constexpr std::int64_t looks_most = 150'000'000;
 // Mostly up to 0.1 s a trial.
 constexpr std::size_t vertices_most = 200, cells_tried_most = 100'000;
 

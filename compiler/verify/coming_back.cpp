@@ -100,6 +100,28 @@ bool holds_body(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& 
   return region.contains(at) && square_to(region.rings(), at) >= radius * radius;
 }
 
+// Whether to name a part that has been looked at: it is no sliver beside others, of which a run may
+// show as much.
+bool is_looked_at(const std::vector<analysis::Stranded>& shut, const analysis::Ways& ways) {
+  constexpr std::int64_t sliver = 10;
+  return !shut.empty() && shut.front().cells * sliver >= ways.stranded.front().cells;
+}
+
+// In the middle of a part, and of the largest others.
+std::vector<Start> starts_in(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part,
+                             const analysis::Ways& ways) {
+  constexpr std::size_t most = 3;
+  std::vector<Start> all{{{part.middle_x_mm, part.middle_y_mm}}};
+  for (const analysis::Stranded& other : ways.stranded) {
+    if (all.size() == most) break;
+    const bool same = other.x_mm == part.x_mm && other.y_mm == part.y_mm;
+    if (!same && holds_body(s, zone, other)) {
+      all.push_back({{other.middle_x_mm, other.middle_y_mm}});
+    }
+  }
+  return all;
+}
+
 // Where no cell is clearly clearer than what is asked for the recheck does not find the way. "":
 // one is, or all corners are on the grid, where it knows clearances to the millimetre.
 std::string on_the_rim(const Subject& s, const ir::Recovery& last) {
@@ -145,9 +167,9 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
   if (analysis::is_boundless(zone)) return without_end(zone, std::move(o));
   const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   if (!ways.stranded.empty()) {
-    // rather one that has been looked at; of others a run may show as much
     const auto shut = analysis::shut_off(zone.cells, last, ways);
-    const analysis::Stranded& part = shut.empty() ? ways.stranded.front() : shut.front();
+    const bool looked_at = is_looked_at(shut, ways);
+    const analysis::Stranded& part = looked_at ? shut.front() : ways.stranded.front();
     // where cells are too coarse for a way, the recovery may find one; and where they are so coarse
     // that nobody fits in the middle of one, no run begins there
     const bool fits = holds_body(s, last.zone, part);
@@ -155,12 +177,12 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.by_a_run = fits;
     if (fits) {
       o.place_mm = {part.x_mm, part.y_mm};
-      o.starts.push_back({{part.middle_x_mm, part.middle_y_mm}});
+      o.starts = starts_in(s, last.zone, part, ways);
     }
     o.because =
         "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +
-        (shut.empty() ? " no way over its cells has been found to where control is given back"
-                      : " no way over its cells leads to where control is given back");
+        (looked_at ? " no way over its cells leads to where control is given back"
+                   : " no way over its cells has been found to where control is given back");
     if (!fits) return o;
     // the part may be wide itself, and what leads out of it narrow
     if (part.clearance_mm < last.return_clearance_mm + zone.cells.cell_mm) {
