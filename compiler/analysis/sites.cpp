@@ -122,6 +122,10 @@ std::optional<Fence> fence_of(const sema::Expr& e) {
   return Fence{clearance->zone, least->value.get_d()};
 }
 
+std::string out_of_reach(const Barred& barred) {
+  return "out of reach: by " + millimetres_up(barred.short_m);
+}
+
 // A robot charges so near to the place: see `charge` in the language reference.
 constexpr double charges_within_m = 0.15;
 
@@ -136,7 +140,6 @@ class FencedOut {
     for (const sema::Site::Place& place : site.places) {
       bool charges = false;
       for (const sema::KindId kind : kinds_for(place)) {
-        if (const auto stopped = on_the_way(id, place, kind)) report(site, place, *stopped);
         const auto& energy = spec_[kind].energy;
         if (!energy || energy->charge_at != id) continue;
         charges = true;
@@ -148,40 +151,24 @@ class FencedOut {
     }
   }
 
- private:
-  // The monitor that lets none be there, and by how much the place is out of what it allows.
-  struct Barred {
-    sema::MonitorId by;
-    double short_m = 0;
-  };
-  // A recovery leads there, and a monitor that outranks it takes over before it arrives.
-  struct Stopped {
-    Barred by;
-    const sema::Controller* recovery;
-  };
-  [[nodiscard]] std::optional<Stopped> on_the_way(sema::SiteId id, const sema::Site::Place& place,
-                                                  sema::KindId kind) const {
-    for (const sema::Decision& decision : spec_.decisions) {
-      if (decision.kind != kind) continue;
-      for (std::size_t k = 0; k < decision.priority.size(); ++k) {
-        const auto& recover = spec_[decision.priority[k]].recover;
-        const auto route = recover ? sema::route_of(spec_[*recover]) : std::nullopt;
-        if (!route || route->site != id) continue;
-        const auto own = region_of_(route->zone);
-        // outside of the zone of its way as well: one mistake
-        if (!own || !own->contains({place.position.x, place.position.y})) continue;
-        for (std::size_t j = 0; j < k; ++j) {
-          const sema::MonitorId by = decision.priority[j];
-          // as its own property, what it recovers for leads out of its zone (5016)
-          if (spec_[by].recover == recover) continue;
-          if (const auto short_m = short_of(by, place, kind, 0)) {
-            return Stopped{{by, *short_m}, &spec_[*recover]};
-          }
-        }
-      }
+  // As barred_on_the_way.
+  [[nodiscard]] std::optional<Barred> on_the_way(const sema::Decision& decision, std::size_t k,
+                                                 const sema::Site::Place& place) const {
+    const auto& recover = spec_[decision.priority[k]].recover;
+    const auto route = recover ? sema::route_of(spec_[*recover]) : std::nullopt;
+    const auto own = route ? region_of_(route->zone) : std::nullopt;
+    // outside of the zone of its way as well: one mistake
+    if (!own || !own->contains({place.position.x, place.position.y})) return std::nullopt;
+    for (std::size_t j = 0; j < k; ++j) {
+      const sema::MonitorId by = decision.priority[j];
+      // as its own property, what it recovers for leads out of its zone (5016)
+      if (spec_[by].recover == recover) continue;
+      if (const auto short_m = short_of(by, place, decision.kind, 0)) return Barred{by, *short_m};
     }
     return std::nullopt;
   }
+
+ private:
   [[nodiscard]] std::optional<double> short_of(sema::MonitorId monitor,
                                                const sema::Site::Place& place, sema::KindId kind,
                                                double within_m) const {
@@ -257,17 +244,6 @@ class FencedOut {
     }
     return found;
   }
-  void report(const sema::Site& site, const sema::Site::Place& place, const Stopped& stopped) {
-    const sema::Monitor& monitor = spec_[stopped.by.by];
-    diagnostics_.report({diag::Code::site_outside_zone,
-                         place.range,
-                         name_of(spec_, site, place) + ", where `" + stopped.recovery->name +
-                             "` leads, lies where `" + monitor.name + "` lets none be",
-                         out_of_reach(stopped.by),
-                         {{monitor.always_range, "robots are kept in here, before anything else"}},
-                         "move it inside, as far as the body needs",
-                         {}});
-  }
   void report(const sema::Site& site, const sema::Site::Place& place, const Barred& barred,
               bool charges) {
     const sema::Monitor& monitor = spec_[barred.by];
@@ -283,16 +259,33 @@ class FencedOut {
          {}});
   }
 
-  static std::string out_of_reach(const Barred& barred) {
-    return "out of reach: by " + millimetres_up(barred.short_m);
-  }
-
   const sema::Spec& spec_;
   const RegionOf& region_of_;
   diag::Engine& diagnostics_;
 };
 
 }  // namespace
+
+std::optional<Barred> barred_on_the_way(const sema::Spec& spec, const RegionOf& region_of,
+                                        const sema::Decision& decision, std::size_t k,
+                                        const sema::Site::Place& place) {
+  diag::Engine nothing;
+  return FencedOut(spec, region_of, nothing).on_the_way(decision, k, place);
+}
+
+diag::Diagnostic barred_site(const sema::Spec& spec, const Barred& barred,
+                             const std::string& recovery, const sema::Site& site,
+                             const sema::Site::Place& place) {
+  const sema::Monitor& monitor = spec[barred.by];
+  return {diag::Code::site_outside_zone,
+          place.range,
+          name_of(spec, site, place) + ", where `" + recovery + "` leads, lies where `" +
+              monitor.name + "` lets none be",
+          out_of_reach(barred),
+          {{monitor.always_range, "robots are kept in here, before anything else"}},
+          "move it inside, as far as the body needs",
+          {}};
+}
 
 void check_fenced_out_sites(const sema::Spec& spec, const RegionOf& region_of,
                             diag::Engine& diagnostics) {

@@ -17,6 +17,7 @@
 #include "compiler/analysis/return_condition.h"
 #include "compiler/analysis/return_set.h"
 #include "compiler/analysis/site_room.h"
+#include "compiler/analysis/sites.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/travel.h"
@@ -270,6 +271,12 @@ class WellFormed {
       };
       if (clearance < 0) {
         misplaced(Code::site_outside_zone, what + " lies outside `" + zone.name + "`");
+      } else if (auto barred = barred_by(of, monitor, way.site, place)) {
+        // whatever else is wrong there
+        const auto works = place_for(of, way, place, fault_of(barred->code, range));
+        if (works) barred->help = *works;
+        barred->monitor = monitor.name;
+        diagnostics_.report(std::move(*barred));
       } else if (clearance < route) {
         misplaced(Code::site_unreachable, what + " has a clearance of about " +
                                               clearance_text(zone.cells, clearance) + ", `" +
@@ -283,6 +290,24 @@ class WellFormed {
         affordable(kind, of.decision, monitor, place, range, what);
       }
     }
+  }
+
+  [[nodiscard]] std::optional<diag::Diagnostic> barred_by(const Decided& of,
+                                                          const ir::Monitor& monitor,
+                                                          ir::SiteIndex index,
+                                                          const ir::SiteTable::Place& at) const {
+    const auto* const place = written_place(spec_, module_[index], at);
+    const auto site = std::ranges::find(spec_.sites, module_[index].name, &sema::Site::name);
+    if (place == nullptr || site == spec_.sites.end()) return std::nullopt;
+    const RegionOf region_of = [&](sema::ZoneId id) -> std::optional<geometry::Region> {
+      const auto table = tables_.zones[static_cast<std::size_t>(id)];
+      if (!table || module_[*table].has_height()) return std::nullopt;
+      return exact_.flat(*table);
+    };
+    const auto k = static_cast<std::size_t>(&monitor - of.decision.monitors.data());
+    const auto barred = barred_on_the_way(spec_, region_of, of.written, k, *place);
+    if (!barred) return std::nullopt;
+    return barred_site(spec_, *barred, monitor.recovery.name, *site, *place);
   }
 
   // While one robot is there, the other one waits, or comes nearer than it may. Robots that share a
@@ -365,31 +390,43 @@ class WellFormed {
                           const ir::SiteTable::Place& from, std::int64_t clear_mm,
                           const Fault& fault) const {
     const ir::ZoneTable& zone = module_[way.zone];
-    const std::int64_t clearance_mm = std::max(way.route_clearance_mm, way.return_clearance_mm);
-    const ir::Cells& cells = zone.cells;
+    const std::int64_t clearance_mm = needed_mm(way);
+    const std::string none =
+        "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
+    if (of.trials == nullptr) return none;  // nobody reads it
+    if (is_boundless(zone)) return end_for(of, way, from, fault);
+    if (const auto works = place_for(of, way, from, fault)) return *works;
+    return (clear_places(way).empty() ? none
+                                      : "no place of `" + zone.name + "` was found that works") +
+           ": " + no_place(of, way, from, clearance_mm, clear_mm, fault);
+  }
+  static std::int64_t needed_mm(const ir::Recovery& way) {
+    return std::max(way.route_clearance_mm, way.return_clearance_mm);
+  }
+  [[nodiscard]] std::vector<OtherPlace> clear_places(const ir::Recovery& way) const {
+    const ir::Cells& cells = module_[way.zone].cells;
     std::vector<OtherPlace> all;
     for (std::int64_t i = 0; i < std::int64_t{cells.columns} * cells.rows; ++i) {
       const std::int64_t clear = cells.clearance_mm_lo[static_cast<std::size_t>(i)];
-      if (clear < clearance_mm) continue;
+      if (clear < needed_mm(way)) continue;
       const std::int64_t half = cells.cell_mm / 2;
       all.push_back({{cells.origin_x_mm + i % cells.columns * cells.cell_mm + half,
                       cells.origin_y_mm + i / cells.columns * cells.cell_mm + half},
                      clear});
     }
-    const std::string none =
-        "no place of `" + zone.name + "` has a clearance of " + metres(clearance_mm);
-    if (of.trials == nullptr) return none;  // nobody reads it
-    if (is_boundless(zone)) return end_for(of, way, from, fault);
-    if (all.empty()) return none + ": " + no_place(of, way, from, clearance_mm, clear_mm, fault);
+    return all;
+  }
+  // "the place (3 m, 4 m) works"
+  [[nodiscard]] std::optional<std::string> place_for(const Decided& of, const ir::Recovery& way,
+                                                     const ir::SiteTable::Place& from,
+                                                     const Fault& fault) const {
     const auto* const written = written_place(spec_, module_[way.site], from);
-    const auto works = written != nullptr
-                           ? place_that_works(*of.trials, fault, written->range, std::move(all))
-                           : std::nullopt;
-    if (works) {
-      return "the place " + place(works->at.x_mm, works->at.y_mm) + " works";
+    if (of.trials == nullptr || written == nullptr || is_boundless(module_[way.zone])) {
+      return std::nullopt;
     }
-    return "no place of `" + zone.name +
-           "` was found that works: " + no_place(of, way, from, clearance_mm, clear_mm, fault);
+    const auto works = place_that_works(*of.trials, fault, written->range, clear_places(way));
+    if (!works) return std::nullopt;
+    return "the place " + place(works->at.x_mm, works->at.y_mm) + " works";
   }
 
   // A wider zone, or other numbers with which the cell of the site, which is so clear, would do.

@@ -463,6 +463,44 @@ TEST(RefutedSpecs, AreTwentyOrMore) {
   EXPECT_GE(refuted_names().size(), 20u);
 }
 
+// Who comes so near to the wall that the fence takes over never arrives at the dock.
+TEST_F(Verify, ASiteWhereAHigherMonitorLetsNoneBeIsReachedByNoWay) {
+  const auto page = [](const std::string& dock) {
+    return R"(spec wall;
+zone hall = rectangle (0 m, 0 m) to (12 m, 9 m);
+robot Amr {
+  body radius 40 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet amr : Amr;
+input called : bool max_age 1 s;
+site dock(amr) = )" +
+           dock + R"(;
+controller pilot : advanced for Amr extern;
+controller back  : safe for Amr = retreat within hall speed 0.3 m/s;
+controller home  : safe for Amr = route to dock within hall speed 0.3 m/s;
+monitor fence for r : Amr { "R1" always r inside hall; recover back; }
+monitor call  for r : Amr { "R2" always not called; recover home; }
+decision go for Amr { advanced pilot; period 50 ms; priority fence > call; }
+)";
+  };
+  const Outcome o = verified(page("(0.35 m, 4 m)"));
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE(o.out.find("diagnostic 4008: `dock(amr)`, where `home` leads, lies where `fence`"),
+            std::string::npos)
+      << o.out;
+  const std::string before = "help: the place ";
+  const std::size_t at = o.err.find(before);
+  ASSERT_NE(at, std::string::npos) << o.err;
+  const std::size_t begin = at + before.size();
+  const std::string place = o.err.substr(begin, o.err.find(" works", begin) - begin);
+  EXPECT_EQ(verified(page(place)).status, exit_clean) << place;
+}
+
 // No run has to show that no way leads out of the zone that it is to stay in.
 TEST_F(Verify, ASiteOutsideOfItsZoneIsReachedByNoWay) {
   const std::string text = spec_text("tests/compiler/verify/refuted/docks.rta");
