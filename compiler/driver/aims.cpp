@@ -120,7 +120,13 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
                                const std::string& charge) {
   if (o.in_turns) {
     std::vector<Scenario> all;
-    if (!o.in_turns->modes.empty()) all.push_back(aimed_at_turns());
+    if (!o.in_turns->modes.empty()) {
+      for (const verify::Start& start : o.starts) {
+        all.push_back(aimed_at_turns());
+        all.back()["starts"] = starts_at(o, start, robots);
+      }
+      all.push_back(aimed_at_turns());
+    }
     if (!charge.empty()) all.push_back(aimed_at_charge(charge, 20, 3600));
     return all;
   }

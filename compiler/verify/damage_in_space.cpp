@@ -22,8 +22,9 @@ constexpr std::size_t in_space_most = 4;
 
 class DamageInSpace {
  public:
-  DamageInSpace(const Subject& s, std::size_t driving, std::size_t judged)
+  DamageInSpace(const Subject& s, std::size_t driving, std::size_t judged, double spare_mm)
       : s_(s),
+        spare_mm_(spare_mm),
         driving_(s.decision.monitors[driving]),
         judged_(says_of(s, s.decision.monitors[judged])),
         drives_(says_of(s, driving_)),
@@ -70,8 +71,9 @@ class DamageInSpace {
     return {std::llround(at.p.x), std::llround(at.p.y), std::llround(at.z)};
   }
   [[nodiscard]] bool all_hold(const At& at) const {
-    return std::ranges::all_of(
-        all_, [&](const Says& says) { return says.holds(at, body_mm_, holds_by_mm); });
+    return judged_.holds(at, body_mm_, std::max(spare_mm_, holds_by_mm)) &&
+           std::ranges::all_of(
+               all_, [&](const Says& says) { return says.holds(at, body_mm_, holds_by_mm); });
   }
   // The one that goes first backs off from the other one, through a wall of what it is to keep.
   void beside_each_other(const ir::Recovery& yield, std::vector<Start>& starts) const {
@@ -113,13 +115,14 @@ class DamageInSpace {
       const double looks = std::ceil(length / look_each_mm);
       for (double k = 1; k <= looks; ++k) {
         const At at{from.p + (k / looks) * (to.p - from.p), from.z + (k / looks) * (to.z - from.z)};
-        count += judged_.holds(at, body_mm_, -strays_by_mm) ? 0 : 1;
+        count += judged_.holds(at, body_mm_, spare_mm_) ? 0 : 1;
       }
       from = to;
     }
     return count;
   }
   const Subject& s_;
+  const double spare_mm_;  // with less beyond the body, what is judged is not had
   const ir::Monitor& driving_;
   const Says judged_, drives_;
   std::vector<Says> all_;
@@ -130,7 +133,14 @@ class DamageInSpace {
 
 std::vector<Start> starts_of_damage_in_space(const Subject& s, std::size_t driving,
                                              std::size_t judged) {
-  return DamageInSpace(s, driving, judged).run();
+  return DamageInSpace(s, driving, judged, -strays_by_mm).run();
+}
+
+std::vector<Start> starts_of_take_over_in_space(const Subject& s, std::size_t driving,
+                                                std::size_t judged) {
+  const std::int64_t ahead_us = s.decision.monitors[judged].lookahead.duration_us;
+  const std::int64_t gap_mm = analysis::return_clearance_mm(s.decision, ahead_us);
+  return DamageInSpace(s, driving, judged, double(gap_mm - s.decision.body.radius_mm)).run();
 }
 
 }  // namespace rtac::verify

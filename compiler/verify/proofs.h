@@ -89,6 +89,9 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
 std::vector<Start> starts_of_damage(const Subject& s, std::size_t driving, std::size_t judged);
 std::vector<Start> starts_of_damage_in_space(const Subject& s, std::size_t driving,
                                              std::size_t judged);
+// The same from where it leads to where the monitor takes over.
+std::vector<Start> starts_of_take_over_in_space(const Subject& s, std::size_t driving,
+                                                std::size_t judged);
 // From where robots may wait for each other for ever, one of them by `yield`, each of those places
 // with all of them. `instead`: another monitor whose recovery may drive, if there is one.
 std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,

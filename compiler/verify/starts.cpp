@@ -61,6 +61,21 @@ void add_damage(const Subject& s, Obligation& o) {
   if (o.starts.size() > own_starts_most) o.starts.resize(own_starts_most);
 }
 
+// From where a recovery that takes turns with others leads to where one of those takes over.
+void add_turns(const Subject& s, Obligation& o) {
+  for (const int driving : o.in_turns->modes) {
+    for (const int judged : o.in_turns->modes) {
+      if (driving == judged) continue;
+      const auto from = std::size_t(driving - 1), to = std::size_t(judged - 1);
+      const bool in_space = s.decision.body.in_space;
+      for (Start& start : in_space ? starts_of_take_over_in_space(s, from, to)
+                                   : starts_of_damage(s, from, to)) {
+        if (o.starts.size() < own_starts_most) o.starts.push_back(std::move(start));
+      }
+    }
+  }
+}
+
 // A battery that falls below a constant charge while a robot is braked that is too fast for less:
 // just above, by what the way there takes at most, and what it takes to get fast.
 std::optional<Start> above_floor(const Subject& s, const ir::Monitor& m) {
@@ -251,8 +266,12 @@ void add_own_starts(const Subject& s, Obligation& o) {
 void add_starts(const Subject& s, Decision& decision) {
   if (s.decision.on_plan) return;
   for (Obligation& o : decision.obligations) {
-    if (o.status != Status::refuted) continue;
-    add_own_starts(s, o);
+    if (o.status != Status::refuted && !o.in_turns) continue;
+    if (o.in_turns) {
+      add_turns(s, o);
+    } else {
+      add_own_starts(s, o);
+    }
     put_others_aside(s, o);
   }
 }

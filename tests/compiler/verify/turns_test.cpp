@@ -35,6 +35,33 @@ TEST_F(Turns, AreShownByWhoDrives) {
   EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
   EXPECT_NE(again.out.find("not given back: one "), std::string::npos) << again.out;
 }
+// Over a part of the field alone: runs begin there, also where the landing ends above what the
+// other monitor keeps it out of, and within its look-ahead.
+TEST_F(Turns, BeginWhereTheOneLeadsToWhereTheOtherTakesOver) {
+  ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  const auto over_crowd = [](const std::string& land) {
+    return R"(spec over_crowd;
+zone air = prism (rectangle (0 m, 0 m) to (100 m, 80 m)) from 0 m to 50 m;
+zone free = air - prism (rectangle (40 m, 30 m) to (50 m, 40 m)) from 0 m to 15 m;
+input link : bool max_age 1 s;
+)" + a_quad +
+           R"(controller down : safe for Quad = land to )" + land + R"( speed 0.5 m/s;
+controller back : safe for Quad = retreat within free speed 0.8 m/s;
+monitor comms for r : Quad { "R1" always link; recover down; }
+monitor nofly for r : Quad { "R2" always r inside free; recover back; }
+decision fly for Quad { advanced policy; period 50 ms; priority nofly > comms; }
+)";
+  };
+  Json shown;
+  for (const char* land : {"2 m", "15.4 m"}) {
+    shown = obligation(verified(over_crowd(land), {"--format", "json"}), "switching");
+    EXPECT_EQ(shown["status"], "refuted") << land << shown;
+  }
+  const std::string works = shown["repair"], before = "`land to ";
+  ASSERT_EQ(works.find(before), 0) << works;
+  const std::string metres = works.substr(before.size(), works.find(" m`") - before.size());
+  EXPECT_EQ(verified(over_crowd(metres + " m")).status, exit_clean) << metres;
+}
 // The model alone does not refute it.
 TEST_F(Turns, WithoutARunAreUnknown) {
   const Outcome o = verified(page(), {"--format", "json"});
