@@ -162,12 +162,10 @@ class Report {
           });
     }
     if (guess_mmps < 1 || guess_mmps >= last.speed_mmps) return "";
-    const auto works = recovery_speed_that_works(
-        *trials_, {fault_of(of.code, of.range), 1000, last.speed_mmps, guess_mmps, 1},
-        decision_.monitors[breach.recovery].recovery.name);
-    if (!works) return "";
-    return "a recovery of at most " + to_decimal(Rational(static_cast<long>(*works), 1000)) +
-           " m/s works";
+    return recovery_speed_that_works(
+               *trials_, {fault_of(of.code, of.range), 1000, last.speed_mmps, guess_mmps, 1},
+               decision_.monitors[breach.recovery].recovery.name)
+        .value_or("");
   }
   // The first zone for the recovery with which it breaks none of them.
   [[nodiscard]] std::string elsewhere(const Breach& breach, const diag::Diagnostic& of) const {

@@ -120,11 +120,18 @@ std::optional<std::int64_t> asked_that_works(Trials& trials, const Sought& sough
   return trials.nearest(dial, sought.guess, sought.fault, sought.all_of);
 }
 
-std::optional<std::int64_t> recovery_speed_that_works(Trials& trials, const Sought& sought,
-                                                      const std::string& recovery) {
-  return of_recovery(trials, sought, recovery, "the speed", [](auto& each, const Rational& most) {
-    if constexpr (requires { each.speed; }) each.speed.value = std::min(each.speed.value, most);
-  });
+std::optional<std::string> recovery_speed_that_works(Trials& trials, const Sought& sought,
+                                                     const std::string& recovery) {
+  const std::string what = "the speed";
+  const auto mmps =
+      of_recovery(trials, sought, recovery, what, [](auto& each, const Rational& most) {
+        if constexpr (requires { each.speed; }) {
+          each.speed.value = std::min(each.speed.value, most);
+        }
+      });
+  if (!mmps) return std::nullopt;
+  return "a recovery of at most " + to_decimal(value_of(*mmps, sought.per_unit)) + " m/s works" +
+         trials.leaves(what + " of " + recovery, *mmps, sought.fault);
 }
 
 std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sought,

@@ -32,9 +32,10 @@ std::optional<std::int64_t> quantity_that_works(Trials& trials, Sought sought,
 // is no constant.
 std::optional<std::int64_t> asked_that_works(Trials& trials, const Sought& sought,
                                              const SourceRange& comparison);
-// How fast a recovery moves, in each of its steps that is faster than that; and where it lands.
-std::optional<std::int64_t> recovery_speed_that_works(Trials& trials, const Sought& sought,
-                                                      const std::string& recovery);
+// How fast a recovery moves, in each of its steps that is faster than that: "a recovery of at most
+// 0.3 m/s works"; and where it lands.
+std::optional<std::string> recovery_speed_that_works(Trials& trials, const Sought& sought,
+                                                     const std::string& recovery);
 std::optional<std::int64_t> landing_that_works(Trials& trials, const Sought& sought,
                                                const std::string& recovery);
 // How far ahead a monitor looks, whether that is written or not.

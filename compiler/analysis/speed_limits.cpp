@@ -185,8 +185,7 @@ class Limits {
             ? recovery_that_works(limit, decision_.monitors[k].recovery, slower_mmps)
             : std::nullopt;
     const auto higher = slower ? std::nullopt : limit_that_works(limit, mmps);
-    const std::string works = slower
-                                  ? "a recovery of at most " + speed_text(*slower) + " works; or "
+    const std::string works = slower   ? *slower + "; or "
                               : higher ? "a limit of " + speed_text(*higher) + " works; or "
                                        : "";
     report(limit,
@@ -235,9 +234,9 @@ class Limits {
                             {fault(limit), 1000, limit.most_mmps, guess_mmps, declared_mmps - 1},
                             limit.value->source);
   }
-  [[nodiscard]] std::optional<std::int64_t> recovery_that_works(const Limit& limit,
-                                                                const ir::Recovery& recovery,
-                                                                std::int64_t guess_mmps) const {
+  [[nodiscard]] std::optional<std::string> recovery_that_works(const Limit& limit,
+                                                               const ir::Recovery& recovery,
+                                                               std::int64_t guess_mmps) const {
     if (of_.trials == nullptr) return std::nullopt;
     return recovery_speed_that_works(
         *of_.trials, {fault(limit), 1000, recovery.speed_mmps, guess_mmps, 1}, recovery.name);

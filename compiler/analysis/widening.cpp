@@ -158,7 +158,7 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
                   },
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
-  const auto closes = [&](const auto& zone) { return closes_a_gap(zone, *by_mm); };
+  const auto closes = [&](const auto& shape) { return closes_a_gap(shape, *by_mm); };
   if (by_mm && !std::visit(closes, exact)) {
     // in its declaration, so that recoveries move in what is wider, too
     return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`" +
