@@ -129,13 +129,13 @@ class Report {
     offer(elsewhere(breach, found[at]));
     if (!decision_.coordinated) {
       const std::vector<std::size_t> order = order_that_keeps(decision_, all_);
-      if (!order.empty() && works({order}, found, at)) offer(priority_of(decision_, order));
+      if (!order.empty() && works({order}, breach, found, at)) offer(priority_of(decision_, order));
     }
     // what mends one pair alone mends nothing while there is another one
     const Entry& first = row[breach.monitors.front()];
     const bool all = std::ranges::all_of(breach.monitors,
                                          [&](std::size_t j) { return row[j].help == first.help; });
-    if (all && (!first.change || works(*first.change, found, at))) offer(first.help);
+    if (all && (!first.change || works(*first.change, breach, found, at))) offer(first.help);
     offer(slower(breach, found[at]));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
@@ -221,8 +221,8 @@ class Report {
   }
   // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
   // and of another order nobody waits above others for what may never come about.
-  [[nodiscard]] bool works(const Change& change, const std::vector<diag::Diagnostic>& found,
-                           std::size_t at) const {
+  [[nodiscard]] bool works(const Change& change, const Breach& breach,
+                           const std::vector<diag::Diagnostic>& found, std::size_t at) const {
     const Tried& tried = tried_of(change);
     if (!change.order.empty() && tried.waits) return false;
     if (trials_ != nullptr && !trials_->shows_no_less(tried.left)) return false;
@@ -231,7 +231,9 @@ class Report {
              a.range->begin == b.range->begin;
     };
     return std::ranges::all_of(tried.errors, [&](const diag::Diagnostic& d) {
-      if (same(d, found[at])) return false;
+      // nor is one mended that the same recovery breaks by its speed
+      const std::string& recovery = decision_.monitors[breach.recovery].recovery.name;
+      if (same(d, found[at]) || d.recovery == recovery) return false;
       const auto is_it = [&](const diag::Diagnostic& known) { return same(d, known); };
       return std::ranges::any_of(found, is_it) || std::ranges::any_of(diagnostics_.all(), is_it);
     });
