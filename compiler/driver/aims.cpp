@@ -83,13 +83,24 @@ Scenario aimed_at_start(const Obligation& o, const verify::Start& start,
   return there;
 }
 
-Scenario aimed_at_turns() {
+// Where one leads to where another one takes over, and anywhere; and what that costs.
+std::vector<Scenario> aimed_at_turns(const Obligation& o, const std::vector<std::string>& robots,
+                                     const std::string& charge) {
   constexpr int begins_s = 30;
-  Scenario turns = Scenario::object();
-  turns["runs"] = 12;  // as many as there are adversaries
-  turns["return_within_s"] = turns_last_s;
-  turns["duration_s"] = turns_last_s + begins_s;
-  return turns;
+  std::vector<Scenario> all;
+  if (!o.in_turns->modes.empty()) {
+    Scenario turns = Scenario::object();
+    turns["runs"] = 12;  // as many as there are adversaries
+    turns["return_within_s"] = turns_last_s;
+    turns["duration_s"] = turns_last_s + begins_s;
+    for (const verify::Start& start : o.starts) {
+      all.push_back(turns);
+      all.back()["starts"] = starts_at(o, start, robots);
+    }
+    all.push_back(std::move(turns));
+  }
+  if (!charge.empty()) all.push_back(aimed_at_charge(charge, 20, 3600));
+  return all;
 }
 
 // Robots that hold beside each other, measured as they are, unless it takes errors: who waits for
@@ -118,18 +129,7 @@ bool about_return(const Obligation& o) {
 
 std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
                                const std::string& charge) {
-  if (o.in_turns) {
-    std::vector<Scenario> all;
-    if (!o.in_turns->modes.empty()) {
-      for (const verify::Start& start : o.starts) {
-        all.push_back(aimed_at_turns());
-        all.back()["starts"] = starts_at(o, start, robots);
-      }
-      all.push_back(aimed_at_turns());
-    }
-    if (!charge.empty()) all.push_back(aimed_at_charge(charge, 20, 3600));
-    return all;
-  }
+  if (o.in_turns) return aimed_at_turns(o, robots, charge);
   // with each of the adversaries
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
   // whoever keeps the other monitor engaged does so until the charge is gone

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -238,7 +237,8 @@ class Entering {
     // far off first, smaller parts tell, from which fewer are taken.
     const bool parts_tell = query_.alone && std::abs(off) <= radius && !std::isfinite(farthest);
     bool all = true;
-    for (Cell c : cells | std::views::reverse) {
+    for (auto each = cells.rbegin(); each != cells.rend(); ++each) {
+      Cell c = *each;
       if (distance(c.middle, middle) - radius > farthest || c.clearance_mm < least_mm) continue;
       if (!c.settled && (all || !parts_tell)) {
         looks_ += 8;
