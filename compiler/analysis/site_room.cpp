@@ -60,15 +60,25 @@ class Blocked {
 
 }  // namespace
 
+const sema::Site::Place* written_place(const sema::Spec& spec, const sema::Site& site,
+                                       const std::string& robot) {
+  const auto is_of_robot = [&](const sema::Site::Place& p) {
+    return !p.robot || spec[*p.robot].name == robot;
+  };
+  const auto found = std::ranges::find_if(site.places, is_of_robot);
+  return found == site.places.end() ? nullptr : &*found;
+}
+
 const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTable& site,
                                        const ir::SiteTable::Place& place) {
-  const auto of = std::ranges::find(spec.sites, site.name, &sema::Site::name);
-  if (of == spec.sites.end()) return nullptr;
-  const auto is_of_robot = [&](const sema::Site::Place& p) {
-    return !p.robot || spec[*p.robot].name == place.robot;
-  };
-  const auto found = std::ranges::find_if(of->places, is_of_robot);
-  return found == of->places.end() ? nullptr : &*found;
+  const auto robot = std::ranges::find(spec.robots, place.robot, &sema::Robot::name);
+  if (robot == spec.robots.end()) return nullptr;
+  // a second kind of robots that goes there has a table of its own (derive.cpp)
+  const std::string of_kind = "_of_" + spec[robot->kind].name;
+  const auto of = std::ranges::find_if(spec.sites, [&](const sema::Site& each) {
+    return each.name == site.name || each.name + of_kind == site.name;
+  });
+  return of == spec.sites.end() ? nullptr : written_place(spec, *of, place.robot);
 }
 
 std::optional<OtherPlace> place_that_works(Trials& trials, const Fault& fault,

@@ -22,6 +22,8 @@ inline std::int64_t rests_off_mm(const ir::Body& body) {
 }
 
 // Where the place of a robot is written, which may be one for all of them. Null: nowhere.
+const sema::Site::Place* written_place(const sema::Spec& spec, const sema::Site& site,
+                                       const std::string& robot);
 const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTable& site,
                                        const ir::SiteTable::Place& place);
 // The middle of a cell, and how clear the cell is.

@@ -26,6 +26,7 @@
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/analysis/zones.h"
 #include "compiler/ir/linear.h"
+#include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 
@@ -271,7 +272,7 @@ class WellFormed {
       };
       if (clearance < 0) {
         misplaced(Code::site_outside_zone, what + " lies outside `" + zone.name + "`");
-      } else if (auto barred = barred_by(of, monitor, way.site, place)) {
+      } else if (auto barred = barred_by(of, monitor, place)) {
         // whatever else is wrong there
         const auto works = place_for(of, way, place, fault_of(barred->code, range));
         if (works) barred->help = *works;
@@ -294,20 +295,22 @@ class WellFormed {
 
   [[nodiscard]] std::optional<diag::Diagnostic> barred_by(const Decided& of,
                                                           const ir::Monitor& monitor,
-                                                          ir::SiteIndex index,
                                                           const ir::SiteTable::Place& at) const {
-    const auto* const place = written_place(spec_, module_[index], at);
-    const auto site = std::ranges::find(spec_.sites, module_[index].name, &sema::Site::name);
-    if (place == nullptr || site == spec_.sites.end()) return std::nullopt;
+    const auto k = static_cast<std::size_t>(&monitor - of.decision.monitors.data());
+    const auto& recover = spec_[of.written.priority[k]].recover;
+    const auto route = recover ? sema::route_of(spec_[*recover]) : std::nullopt;
+    if (!route) return std::nullopt;
+    const sema::Site& site = spec_[route->site];
+    const auto* const place = written_place(spec_, site, at.robot);
+    if (place == nullptr) return std::nullopt;
     const RegionOf region_of = [&](sema::ZoneId id) -> std::optional<geometry::Region> {
       const auto table = tables_.zones[static_cast<std::size_t>(id)];
       if (!table || module_[*table].has_height()) return std::nullopt;
       return exact_.flat(*table);
     };
-    const auto k = static_cast<std::size_t>(&monitor - of.decision.monitors.data());
     const auto barred = barred_on_the_way(spec_, region_of, of.written, k, *place);
     if (!barred) return std::nullopt;
-    return barred_site(spec_, *barred, monitor.recovery.name, *site, *place);
+    return barred_site(spec_, *barred, monitor.recovery.name, site, *place);
   }
 
   // While one robot is there, the other one waits, or comes nearer than it may. Robots that share a
