@@ -219,6 +219,14 @@ class Report {
     change_ = change;
     return tried_;
   }
+  // The same recovery is too fast for one of the monitors all the same (5033).
+  [[nodiscard]] bool is_as_fast(const diag::Diagnostic& d, const Breach& breach) const {
+    if (d.recovery != decision_.monitors[breach.recovery].recovery.name || !d.range) return false;
+    return std::ranges::any_of(breach.monitors, [&](std::size_t j) {
+      const SourceRange& of = spec_[from_.priority[j]].range;
+      return of.file == d.range->file && of.begin <= d.range->begin && d.range->begin < of.end;
+    });
+  }
   // Nothing is wrong with it then that is not wrong now, nothing less is shown, this is not wrong,
   // and of another order nobody waits above others for what may never come about.
   [[nodiscard]] bool works(const Change& change, const Breach& breach,
@@ -231,9 +239,7 @@ class Report {
              a.range->begin == b.range->begin;
     };
     return std::ranges::all_of(tried.errors, [&](const diag::Diagnostic& d) {
-      // nor is one mended that the same recovery breaks by its speed
-      const std::string& recovery = decision_.monitors[breach.recovery].recovery.name;
-      if (same(d, found[at]) || d.recovery == recovery) return false;
+      if (same(d, found[at]) || is_as_fast(d, breach)) return false;
       const auto is_it = [&](const diag::Diagnostic& known) { return same(d, known); };
       return std::ranges::any_of(found, is_it) || std::ranges::any_of(diagnostics_.all(), is_it);
     });

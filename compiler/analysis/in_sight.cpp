@@ -6,6 +6,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/tables.h"
 
 namespace rtac::analysis {
@@ -52,7 +53,8 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
     if (legs->longest_from(at)) continue;
     if (from_bodies) return at;
     // it is seen as far from where it is as its error, and there a body has to fit
-    const auto bodies = within(zone, body.radius_mm + kept_mm);
+    const auto bodies =
+        within(zone, std::max<std::int64_t>(body.radius_mm + kept_mm - offsets_round_mm, 0));
     if (!bodies) return at;
     from_bodies = true;
     legs.emplace(edges, grid, least, goal, *bodies, in_mm(body.position_error_mm));

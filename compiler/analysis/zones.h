@@ -71,8 +71,8 @@ struct EvaluatedZones {
 EvaluatedZones evaluate_zones(const sema::Spec& spec, const std::vector<ZoneUse>& wanted,
                               diag::Engine& diagnostics);
 
-// Reports what is wrong with zones without baking any: for those that need no tables, and still are
-// to refuse what kernels do.
+// Reports what is wrong with zones without baking any, for those that need no tables. That a site
+// is barred by a monitor is no matter of zones (well_formed.cpp).
 void check_zones(const sema::Spec& spec, diag::Engine& diagnostics);
 
 }  // namespace rtac::analysis

@@ -93,11 +93,13 @@ std::vector<Scenario> aimed_at_turns(const Obligation& o, const std::vector<std:
     turns["runs"] = 12;  // as many as there are adversaries
     turns["return_within_s"] = turns_last_s;
     turns["duration_s"] = turns_last_s + begins_s;
-    for (const verify::Start& start : o.starts) {
+    const auto begin_at = [&](const verify::Start& start) {
       all.push_back(turns);
       all.back()["starts"] = starts_at(o, start, robots);
-    }
-    all.push_back(std::move(turns));
+    };
+    if (!o.starts.empty()) begin_at(o.starts.front());
+    all.push_back(turns);
+    std::for_each(o.starts.begin() + (o.starts.empty() ? 0 : 1), o.starts.end(), begin_at);
   }
   if (!charge.empty()) all.push_back(aimed_at_charge(charge, 20, 3600));
   return all;

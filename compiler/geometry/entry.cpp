@@ -28,10 +28,13 @@ constexpr double forgiven_mm = 9.5, beyond_loss_mm = 1.8, rounding_mm = 0.1;
 constexpr double over_cells_loss_mm = 8;
 // By so much the clearance that is looked for first may be less than it is told, of two roundings.
 constexpr std::int32_t aim_rounds_mm = 2;
+// Of where bodies may be: twice that of offsets, and of the grid, so that who rounds other things
+// finds the same.
+constexpr std::int32_t starts_off_mm = 9;
 // It tries so many cells of the zone at most, ring by ring (max_cell_tests).
 constexpr int tests_max = 2000;
-// And so all of those in so many rings, from wherever in a cell of the fence it begins.
-constexpr int rings_surely = 18;
+// And so all of those in so many rings around the cell that it begins in, with some to spare.
+constexpr int rings_surely = 20, rings_spare = 2;
 // Of a leg so many places are looked at that may be too far from the zone.
 constexpr int samples = 24;
 constexpr std::int64_t looks_max = 3'200'000'000;
@@ -72,7 +75,8 @@ class Entering {
       : zone_(zone),
         fence_(fence.cells),
         query_(query),
-        starts_(query.starts ? std::optional<Starts>(Starts(*query.starts)) : std::nullopt),
+        starts_(query.starts ? std::optional<Starts>(Starts(*query.starts, starts_off_mm))
+                             : std::nullopt),
         forgiven_(std::max(forgiven_mm, query.loss_mm + beyond_loss_mm)),
         connectors_(fence.edges, query.clearance_mm, query.body_mm, forgiven_),
         sight_(zone.edges, query.least_mm, 0, query.loss_mm - rounding_mm) {
@@ -97,6 +101,8 @@ class Entering {
       fence_ = *cells;
     }
     const double size = fence_.cell_mm;
+    // that is not the one that rings are counted from: it may be anywhere in a cell of the fence
+    rings_surely_ = rings_surely - rings_spare - fence_.cell_mm / (2 * zone_.cells.cell_mm);
     halvings_max_ =
         std::max(halvings_least, static_cast<int>(std::ceil(std::log2(size / part_mm))));
     for (std::int32_t row = 0; row < fence_.rows; ++row) {
@@ -360,7 +366,7 @@ class Entering {
     if (!query_.alone) return nearest;
     for (const Cell& c : cells) {
       const double way = distance(c.middle, middle) + spot.radius_mm();
-      if (c.clearance_mm < query_.alone->aim_mm || c.ring > rings_surely || way >= nearest)
+      if (c.clearance_mm < query_.alone->aim_mm || c.ring > rings_surely_ || way >= nearest)
         continue;
       if (is_seen(spot, off, c.middle)) nearest = way;
     }
@@ -510,7 +516,7 @@ class Entering {
   std::vector<Box> boxes_;         // of the edges of the zone
   std::vector<std::size_t> near_;  // of those, for the cell
   std::vector<Vec> corners_;       // of the zone, that point into it
-  int halvings_max_ = halvings_least;
+  int halvings_max_ = halvings_least, rings_surely_ = 0;
   std::int64_t looks_ = 0;
 };
 

@@ -4,7 +4,7 @@
 
 namespace rtac::geometry {
 
-Starts::Starts(const Region& region) {
+Starts::Starts(const Region& region, std::int32_t off_mm) : off_mm_(off_mm) {
   for (const Ring& ring : region.rings()) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
@@ -26,17 +26,17 @@ std::optional<CellGrid> Starts::cells() const {
   if (std::max({-left, -low, right, top}) > far_mm) return std::nullopt;
   const double wide = right - left, high = top - low;
   while (wide * high > most * grid.cell_mm * grid.cell_mm) grid.cell_mm *= 2;
-  grid.origin = {static_cast<std::int32_t>(left) - 2 * off_mm,
-                 static_cast<std::int32_t>(low) - 2 * off_mm};
-  grid.columns = static_cast<std::int32_t>((wide + 4 * off_mm) / grid.cell_mm) + 1;
-  grid.rows = static_cast<std::int32_t>((high + 4 * off_mm) / grid.cell_mm) + 1;
+  grid.origin = {static_cast<std::int32_t>(left) - 2 * off_mm_,
+                 static_cast<std::int32_t>(low) - 2 * off_mm_};
+  grid.columns = static_cast<std::int32_t>((wide + 4 * off_mm_) / grid.cell_mm) + 1;
+  grid.rows = static_cast<std::int32_t>((high + 4 * off_mm_) / grid.cell_mm) + 1;
   grid.clearance_mm_lo.assign(
       static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
   return grid;
 }
 
 bool Starts::are_near(double x_mm, double y_mm, double within_mm) const {
-  const double far = within_mm + off_mm;
+  const double far = within_mm + off_mm_;
   bool inside = false;
   for (const Line& e : lines_) {
     const double dx = e.bx - e.ax, dy = e.by - e.ay, x = x_mm - e.ax, y = y_mm - e.ay;

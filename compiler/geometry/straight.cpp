@@ -23,6 +23,8 @@ constexpr std::int32_t surely_mm = 6;
 constexpr std::int32_t rounded_mm = 3;
 // Of cells that the recheck is sure are tried.
 constexpr std::int32_t surely_tried_mm = 4;
+// Of places that bodies are seen at: the recheck adds 3 mm to the error.
+constexpr std::int32_t seen_rounds_mm = 4;
 // It takes for tried what lies within 4 mm of the exact outline, which is 3 mm off these edges.
 constexpr double perhaps_tried_mm = 8;
 // Of edges; what has not been looked at is not known.
@@ -89,8 +91,7 @@ StraightLegs::StraightLegs(const std::vector<EdgeRow>& edges, const CellGrid& ce
                            std::int32_t body_mm, std::int32_t goal_mm, const Region& starts,
                            std::int32_t error_mm)
     : StraightLegs(edges, cells, body_mm, goal_mm) {
-  starts_ = Starts(starts);
-  error_mm_ = error_mm;
+  starts_.emplace(starts, error_mm + seen_rounds_mm);
 }
 
 std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_mm) {
@@ -100,7 +101,7 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
   const double size = cells_.cell_mm;
   const double west = cells_.origin.x_mm + column * size;
   const double south = cells_.origin.y_mm + row * size;
-  if (starts_ && !starts_->are_near(west + size / 2, south + size / 2, error_mm_ + size)) return 0;
+  if (starts_ && !starts_->are_near(west + size / 2, south + size / 2, size)) return 0;
   const std::vector<End> ends = ends_of(cell, false);
   gave_up_ = !ends.empty() && looks_ > looks_max;
   if (ends.empty() || gave_up_) return std::nullopt;
@@ -120,7 +121,7 @@ std::optional<double> StraightLegs::longest_from(std::size_t cell, double most_m
 
 bool StraightLegs::needs_none(const Connectors::Spot& spot) const {
   if (around_.holds_nobody(spot) || spot.gap_mm - spot.radius_mm() >= goal_mm_) return true;
-  return starts_ && !starts_->are_near(spot.x_mm, spot.y_mm, error_mm_ + spot.radius_mm());
+  return starts_ && !starts_->are_near(spot.x_mm, spot.y_mm, spot.radius_mm());
 }
 
 // The nearest one in sight is taken, and none that is tried is left out for one that is farther.

@@ -58,7 +58,6 @@ class StraightLegs {
   const bool convex_;
   const std::vector<bool> beside_;  // by cell: the recheck may take it for one that is tried
   std::optional<Starts> starts_{};
-  double error_mm_ = 0;
   Connectors legs_;                         // what they keep
   Connectors around_;                       // of places
   std::int64_t looks_ = 0, looks_end_ = 0;  // so many taken, and where a cell has had its share

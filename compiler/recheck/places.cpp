@@ -255,7 +255,7 @@ Found Claims::led_in(const sema::Decision& d, const sema::Monitor& m, sema::Zone
   const Rational fits =
       std::min(route, Rational(kind.radius.value + error + std::max(error, Rational(2, 100))));
   const auto found =
-      without_leg(*zones_.region(zone), cells, std::max(seen, Rational(0)), body, fits);
+      without_leg(*zones_.region(zone), cells, std::max(seen, Rational(0)), body, error, fits);
   if (std::holds_alternative<std::monostate>(found)) return std::nullopt;
   return wrong("from where it is seen to be outside no leg leads to where it fits");
 }

@@ -283,11 +283,9 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
   return std::monostate{};
 }
 
-std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geometry::Region& zone,
-                                                                    const Cells& cells,
-                                                                    const Rational& seen_m,
-                                                                    const Rational& body_m,
-                                                                    const Rational& fits_m) {
+std::variant<std::monostate, geometry::Point, BadCells> without_leg(
+    const geometry::Region& zone, const Cells& cells, const Rational& seen_m,
+    const Rational& body_m, const Rational& error_m, const Rational& fits_m) {
   const std::optional<OnGrid> found = on_grid(zone, cells);
   if (!found) return BadCells{};
   const double goal = fits_m.get_d();
@@ -299,8 +297,10 @@ std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geomet
     if (straight.longest_from(at, goal)) continue;
     if (!from_bodies) {
       from_bodies = true;
-      const Rational off = body_m - seen_m + offsets_round;
-      if (auto bodies = zone.offset(-body_m)) straight.begin_at({{*bodies}, off.get_d()});
+      // no place where a body fits is lost by how offsets round
+      const auto bodies = zone.offset(offsets_round - body_m);
+      const Rational off = error_m + offsets_round;
+      if (bodies) straight.begin_at({{*bodies}, off.get_d()});
       if (straight.longest_from(at, goal)) continue;
     }
     return middle_of(found->cells, at);

@@ -72,13 +72,11 @@ std::variant<std::monostate, geometry::Point, BadCells> without_way(
     const Rational& route_m, const Rational& goal_m, const std::vector<geometry::Point>& sites);
 // Whether from every place with `seen_m` of clearance and less than `fits_m` a leg leads straight
 // to one with `fits_m`, over the cells of the same outline: whoever is seen with less than its body
-// takes, `body_m`, which it has where it is, is led in that way alone. Otherwise the place of a
-// cell.
-std::variant<std::monostate, geometry::Point, BadCells> without_leg(const geometry::Region& zone,
-                                                                    const Cells& cells,
-                                                                    const Rational& seen_m,
-                                                                    const Rational& body_m,
-                                                                    const Rational& fits_m);
+// takes, `body_m`, which it has where it is, no farther off than `error_m`, is led in that way
+// alone. Otherwise the place of a cell.
+std::variant<std::monostate, geometry::Point, BadCells> without_leg(
+    const geometry::Region& zone, const Cells& cells, const Rational& seen_m,
+    const Rational& body_m, const Rational& error_m, const Rational& fits_m);
 // The length of the longest of these ways, each the shortest one on which no cell is less clear
 // than what the one before it asks for: the search finds none that is longer. From cells without
 // such a way counts the leg in sight that may be taken, without `sites`. The leg to where its cells

@@ -501,6 +501,39 @@ decision go for Amr { advanced pilot; period 50 ms; priority fence > call; }
   EXPECT_EQ(verified(page(place)).status, exit_clean) << place;
 }
 
+// Of a second kind of robots that is led there as well.
+TEST_F(Verify, ASiteOfTwoKindsIsHeldAgainstTheFencesOfBoth) {
+  const auto robot = [](const std::string& kind, const std::string& fence) {
+    return "robot " + kind + R"( {
+  body radius 40 cm;
+  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet the_)" +
+           kind + " : " + kind + ";\n" + "controller pilot_" + kind + " : advanced for " + kind +
+           " extern;\ncontroller back_" + kind + " : safe for " + kind + " = retreat within " +
+           fence + " speed 0.3 m/s;\ncontroller home_" + kind + " : safe for " + kind +
+           " = route to dock within hall speed 0.3 m/s;\nmonitor fence_" + kind +
+           " for r : " + kind + " { \"R1\" always r inside " + fence + "; recover back_" + kind +
+           "; }\nmonitor call_" + kind + " for r : " + kind +
+           " { \"R2\" always not called; recover home_" + kind + "; }\ndecision go_" + kind +
+           " for " + kind + " { advanced pilot_" + kind + "; period 50 ms; priority fence_" + kind +
+           " > call_" + kind + "; }\n";
+  };
+  const Outcome o = verified(
+      "spec two;\nzone hall = rectangle (0 m, 0 m) to (12 m, 9 m);\n"
+      "zone part = rectangle (0 m, 0 m) to (6 m, 9 m);\ninput called : bool max_age 1 s;\n"
+      "site dock = (9 m, 4 m);\n" +
+      robot("Amr", "hall") + robot("Cart", "part"));
+  EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+  EXPECT_NE(o.err.find("`dock`, where `home_Cart` leads, lies where `fence_Cart` lets none be"),
+            std::string::npos)
+      << o.err;
+}
+
 // No run has to show that no way leads out of the zone that it is to stay in.
 TEST_F(Verify, ASiteOutsideOfItsZoneIsReachedByNoWay) {
   const std::string text = spec_text("tests/compiler/verify/refuted/docks.rta");
