@@ -58,6 +58,7 @@ class Claims {
   std::optional<Doubt> at_once(const Values& v);
   std::optional<Doubt> lies_clear(sema::ZoneId zone, const Values& v, std::int64_t gap_mm);
   std::optional<Doubt> ways(const Values& v);
+  bool bars(const sema::Expr& e, const geometry::Point& at, const Rational& radius);
   std::optional<Doubt> led_in(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone,
                               const Cells& cells, const Rational& route);
   std::optional<Doubt> lasts(const Values& v);

@@ -8,6 +8,7 @@
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sight.h"
+#include "compiler/recheck/sums.h"
 #include "compiler/recheck/told.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
@@ -260,6 +261,22 @@ Found Claims::led_in(const sema::Decision& d, const sema::Monitor& m, sema::Zone
   return wrong("from where it is seen to be outside no leg leads to where it fits");
 }
 
+// Whether a property lets no robot be at a place, which a body of that radius is to be at: who
+// comes there is led away by whoever ranks higher.
+bool Claims::bars(const sema::Expr& e, const geometry::Point& at, const Rational& radius) {
+  if (const auto* logic = std::get_if<sema::Logic>(&e.node)) {
+    const auto bar = [&](const sema::ExprPtr& each) { return bars(*each, at, radius); };
+    const auto& all = logic->operands;
+    if (logic->op == sema::LogicOp::logical_and) return std::ranges::any_of(all, bar);
+    return logic->op == sema::LogicOp::logical_or && std::ranges::all_of(all, bar);
+  }
+  const Rational hardly(2, 1000);
+  const auto floor = floor_of(spec_, e);
+  return floor && zones_.region(floor->zone) != nullptr &&
+         !zones_.clear(floor->zone, at,
+                       std::max(Rational(radius + floor->laxest - hardly), Rational(0)));
+}
+
 Found Claims::ways(const Values& v) {
   constexpr std::optional<std::int64_t> unlimited_mm = std::numeric_limits<std::int64_t>::max();
   const sema::Decision* const d = decision(v);
@@ -291,8 +308,17 @@ Found Claims::ways(const Values& v) {
   if (const auto way = sema::route_of(spec_[*m->recover])) {
     for (const auto& place : spec_[way->site].places) {
       sites.push_back({place.position.x, place.position.y});
-      if (zones_.clear(*zone, sites.back(), milli(*back))) continue;
-      return wrong("a site of the recovery is nearer to the boundary than control is given back");
+      if (!zones_.clear(*zone, sites.back(), milli(*back))) {
+        return wrong("a site of the recovery is nearer to the boundary than control is given back");
+      }
+      if (place.robot && spec_[*place.robot].kind != d->kind) continue;
+      for (const sema::MonitorId higher : d->priority) {
+        if (&spec_[higher] == m) break;
+        if (spec_[higher].recover != m->recover &&
+            bars(*spec_[higher].always, sites.back(), spec_[d->kind].radius.value)) {
+          return wrong("a monitor that ranks higher lets none be at a site of the recovery");
+        }
+      }
     }
   }
   const auto found = without_way(*region, {*cell, *x, *y}, spec_[d->kind].radius.value,

@@ -140,6 +140,23 @@ TEST_F(ForgedLimits, InSpaceARecoveryMakesWayWhateverItsVelocityErrs) {
   EXPECT_NE(o.err.find("help: a `disturbance` of at most"), std::string::npos) << o.err;
 }
 
+// Who is led to a site where a monitor that ranks higher takes over never arrives there.
+TEST_F(ForgedLimits, ASiteThatAHigherMonitorBarsIsReachedByNoWay) {
+  prove(
+      "spec s;\nzone hall = rectangle (0 m, 0 m) to (12 m, 9 m);\n"
+      "zone part = rectangle (0 m, 0 m) to (12 m, 9 m);\ninput called : bool max_age 1 s;\n" +
+      a_rover +
+      "site dock = (9 m, 4 m);\n"
+      "controller back : safe for Rover = retreat within part speed 0.3 m/s;\n"
+      "controller home : safe for Rover = route to dock within hall speed 0.3 m/s;\n"
+      "monitor fence for r : Rover { \"R1\" always r inside part; recover back; }\n"
+      "monitor call for r : Rover { \"R2\" always r inside hall and not called; recover home; }\n"
+      "decision go for Rover { advanced drive; period 50 ms; priority fence > call; }\n");
+  expect_noticed_in("spec.rta", "zone part = rectangle (0 m, 0 m) to (12 m",
+                    "zone part = rectangle (0 m, 0 m) to (6 m",
+                    "a monitor that ranks higher lets none be at a site of the recovery");
+}
+
 // A file says nothing of heights for a zone of the plane.
 TEST_F(ForgedLimits, AZoneOfAFileIsReadByARecheck) {
   write("yard.wkt", "POLYGON ((0 0, 14 0, 14 9, 0 9, 0 0))");
