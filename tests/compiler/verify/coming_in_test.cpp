@@ -172,12 +172,19 @@ TEST_F(ComingIn, StraightWaysIntoAPartOfAHallAreFollowed) {
 }
 
 // Cells of a large zone are wide, and what is looked at is cut into as small parts all the same.
+// From the western arm ways to the northern one lead across the corner between them.
 TEST_F(ComingIn, WaysIntoAPartOfALargeFieldAreFollowed) {
-  const Json report = report_of(
-      led_into("rectangle (0 m, 0 m) to (400 m, 150 m) | rectangle (200 m, 0 m) to (400 m, 300 m)",
-               "shrink(hall, 2 m)"));
+  const std::string field =
+      "rectangle (0 m, 0 m) to (400 m, 150 m) | rectangle (200 m, 0 m) to (400 m, 300 m)";
+  const Json report = report_of(led_into(field, "shrink(hall, 2 m)"));
   EXPECT_EQ(p2a_of(report)["status"], "proved") << p2a_of(report);
   EXPECT_EQ(rechecked(report).status, exit_clean);
+  Json across = report_of(led_into(field, "rectangle (210 m, 160 m) to (390 m, 290 m)"));
+  EXPECT_NE(p2a_of(across)["status"], "proved") << p2a_of(across);
+  for (Json& o : across["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(report);
+  }
+  expect_denied(across, "lead across what is not convex");
 }
 
 // From beside a corner of what the part leaves out it leads anywhere, which is far from all walls.
