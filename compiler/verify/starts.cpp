@@ -68,8 +68,8 @@ void add_turns(const Subject& s, Obligation& o) {
       if (driving == judged) continue;
       const auto from = std::size_t(driving - 1), to = std::size_t(judged - 1);
       const bool in_space = s.decision.body.in_space;
-      for (Start& start : in_space ? starts_of_take_over_in_space(s, from, to)
-                                   : starts_of_damage(s, from, to)) {
+      for (Start& start :
+           in_space ? starts_of_take_over_in_space(s, from, to) : starts_of_damage(s, from, to)) {
         if (o.starts.size() < own_starts_most) o.starts.push_back(std::move(start));
       }
     }
