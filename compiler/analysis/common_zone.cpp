@@ -18,6 +18,9 @@ using sema::ZoneOp;
 struct Heights {
   Rational floor, ceiling;
 };
+Heights united(const Heights& a, const Heights& b) {
+  return {std::min(a.floor, b.floor), std::max(a.ceiling, b.ceiling)};
+}
 // nullopt: it lies in the plane, or is not told by numbers in the specification.
 std::optional<Heights> heights_of(const sema::Spec& spec, const ZoneExpr& zone) {
   if (const auto* ref = std::get_if<sema::ZoneRef>(&zone.node)) {
@@ -36,8 +39,7 @@ std::optional<Heights> heights_of(const sema::Spec& spec, const ZoneExpr& zone) 
   const auto left = heights_of(spec, *both->left);
   if (both->op != ZoneOp::unite) return left;
   const auto right = heights_of(spec, *both->right);
-  if (!left || !right) return std::nullopt;
-  return Heights{std::min(left->floor, right->floor), std::max(left->ceiling, right->ceiling)};
+  return left && right ? std::optional(united(*left, *right)) : std::nullopt;
 }
 
 class Writer {
@@ -51,7 +53,7 @@ class Writer {
              });
     });
   }
-  // None: zones of the plane have to be as high as one that does not say how high it is.
+  // Null: zones of the plane have to be as high as one that does not say how high it is.
   [[nodiscard]] ZoneExprPtr common(const std::vector<DeclaredPart>& parts) {
     as_high_as_ = heights(parts);
     if (have_height(parts) && !as_high_as_ && std::ranges::any_of(parts, [&](const auto& part) {
@@ -130,8 +132,7 @@ class Writer {
     for (const sema::ZoneId zone : zones) {
       const auto of = heights_of(spec_, *spec_[zone].value);
       if (!of) return std::nullopt;
-      all =
-          all ? Heights{std::min(all->floor, of->floor), std::max(all->ceiling, of->ceiling)} : *of;
+      all = all ? united(*all, *of) : *of;
     }
     return all;
   }

@@ -27,6 +27,7 @@ struct Barred {
 std::optional<Barred> barred_on_the_way(const sema::Spec& spec, const RegionOf& region_of,
                                         const sema::Decision& decision, std::size_t k,
                                         const sema::Site::Place& place);
+// 4008 of that, of the place of a site.
 diag::Diagnostic barred_site(const sema::Spec& spec, const Barred& barred,
                              const std::string& recovery, const sema::Site& site,
                              const sema::Site::Place& place);

@@ -463,12 +463,8 @@ TEST(RefutedSpecs, AreTwentyOrMore) {
   EXPECT_GE(refuted_names().size(), 20u);
 }
 
-// Who comes so near to the wall that the fence takes over never arrives at the dock.
-TEST_F(Verify, ASiteWhereAHigherMonitorLetsNoneBeIsReachedByNoWay) {
-  const auto page = [](const std::string& dock) {
-    return R"(spec wall;
-zone hall = rectangle (0 m, 0 m) to (12 m, 9 m);
-robot Amr {
+std::string carrier(const std::string& kind) {
+  return "robot " + kind + R"( {
   body radius 40 cm;
   motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
   sense position : point error 2 cm max_age 50 ms;
@@ -476,7 +472,14 @@ robot Amr {
   output thrust : acceleration;
   latency 20 ms;
 }
-fleet amr : Amr;
+)";
+}
+
+// Who comes so near to the wall that the fence takes over never arrives at the dock.
+TEST_F(Verify, ASiteWhereAHigherMonitorLetsNoneBeIsReachedByNoWay) {
+  const auto page = [](const std::string& dock) {
+    return "spec wall;\nzone hall = rectangle (0 m, 0 m) to (12 m, 9 m);\n" + carrier("Amr") +
+           R"(fleet amr : Amr;
 input called : bool max_age 1 s;
 site dock(amr) = )" +
            dock + R"(;
@@ -504,21 +507,12 @@ decision go for Amr { advanced pilot; period 50 ms; priority fence > call; }
 // Of a second kind of robots that is led there as well.
 TEST_F(Verify, ASiteOfTwoKindsIsHeldAgainstTheFencesOfBoth) {
   const auto robot = [](const std::string& kind, const std::string& fence) {
-    return "robot " + kind + R"( {
-  body radius 40 cm;
-  motion point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
-  sense position : point error 2 cm max_age 50 ms;
-  sense velocity : vector error 2 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 20 ms;
-}
-fleet the_)" +
-           kind + " : " + kind + ";\n" + "controller pilot_" + kind + " : advanced for " + kind +
-           " extern;\ncontroller back_" + kind + " : safe for " + kind + " = retreat within " +
-           fence + " speed 0.3 m/s;\ncontroller home_" + kind + " : safe for " + kind +
-           " = route to dock within hall speed 0.3 m/s;\nmonitor fence_" + kind +
-           " for r : " + kind + " { \"R1\" always r inside " + fence + "; recover back_" + kind +
-           "; }\nmonitor call_" + kind + " for r : " + kind +
+    return carrier(kind) + "fleet the_" + kind + " : " + kind + ";\n" + "controller pilot_" + kind +
+           " : advanced for " + kind + " extern;\ncontroller back_" + kind + " : safe for " + kind +
+           " = retreat within " + fence + " speed 0.3 m/s;\ncontroller home_" + kind +
+           " : safe for " + kind + " = route to dock within hall speed 0.3 m/s;\nmonitor fence_" +
+           kind + " for r : " + kind + " { \"R1\" always r inside " + fence + "; recover back_" +
+           kind + "; }\nmonitor call_" + kind + " for r : " + kind +
            " { \"R2\" always not called; recover home_" + kind + "; }\ndecision go_" + kind +
            " for " + kind + " { advanced pilot_" + kind + "; period 50 ms; priority fence_" + kind +
            " > call_" + kind + "; }\n";
