@@ -126,6 +126,55 @@ std::string out_of_reach(const Barred& barred) {
   return "out of reach: by " + millimetres_up(barred.short_m);
 }
 
+// What monitors ask of the places where robots are.
+class Fences {
+ public:
+  Fences(const sema::Spec& spec, const RegionOf& region_of) : spec_(spec), region_of_(region_of) {}
+
+  // How far the place is out of what a monitor allows a robot of the kind that may be `within_m` of
+  // it; none: it may be there.
+  [[nodiscard]] std::optional<double> short_of(sema::MonitorId monitor,
+                                               const sema::Site::Place& place, sema::KindId kind,
+                                               double within_m) const {
+    return short_of({place.position.x, place.position.y}, *spec_[monitor].always,
+                    spec_[kind].radius.value.get_d() - within_m);
+  }
+
+ private:
+  // How far from `p` at least the next place is that has what the property asks for, with `needs_m`
+  // of room around it; none: it may be nearer than that room.
+  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Expr& always,
+                                               double needs_m) const {
+    if (const auto* logic = std::get_if<sema::Logic>(&always.node)) {
+      return short_of(p, *logic, needs_m);
+    }
+    const std::optional<Fence> fence = fence_of(always);
+    if (!fence || spec_[fence->zone].has_height) return std::nullopt;  // a site has none
+    const auto region = region_of_(fence->zone);
+    if (!region) return std::nullopt;
+    const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
+    const double short_m = fence->least_m + needs_m - clear_m;
+    return short_m > rounding_m ? std::optional(short_m) : std::nullopt;
+  }
+  // All operands of `and` are needed, and one of `or`.
+  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Logic& logic,
+                                               double needs_m) const {
+    const bool all = logic.op == sema::LogicOp::logical_and;
+    if (!all && logic.op != sema::LogicOp::logical_or) return std::nullopt;
+    std::optional<double> found;
+    for (const auto& operand : logic.operands) {
+      const auto short_m = short_of(p, *operand, needs_m);
+      if (!short_m && !all) return std::nullopt;
+      if (!short_m) continue;
+      found = !found ? *short_m : (all ? std::max(*found, *short_m) : std::min(*found, *short_m));
+    }
+    return found;
+  }
+
+  const sema::Spec& spec_;
+  const RegionOf& region_of_;
+};
+
 // A robot charges so near to the place: see `charge` in the language reference.
 constexpr double charges_within_m = 0.15;
 
@@ -133,7 +182,7 @@ constexpr double charges_within_m = 0.15;
 class FencedOut {
  public:
   FencedOut(const sema::Spec& spec, const RegionOf& region_of, diag::Engine& diagnostics)
-      : spec_(spec), region_of_(region_of), diagnostics_(diagnostics) {}
+      : spec_(spec), fences_(spec, region_of), diagnostics_(diagnostics) {}
 
   void check(sema::SiteId id) {
     const sema::Site& site = spec_[id];
@@ -151,30 +200,7 @@ class FencedOut {
     }
   }
 
-  // As barred_on_the_way.
-  [[nodiscard]] std::optional<Barred> on_the_way(const sema::Decision& decision, std::size_t k,
-                                                 const sema::Site::Place& place) const {
-    const auto& recover = spec_[decision.priority[k]].recover;
-    const auto route = recover ? sema::route_of(spec_[*recover]) : std::nullopt;
-    const auto own = route ? region_of_(route->zone) : std::nullopt;
-    // outside of the zone of its way as well: one mistake
-    if (!own || !own->contains({place.position.x, place.position.y})) return std::nullopt;
-    for (std::size_t j = 0; j < k; ++j) {
-      const sema::MonitorId by = decision.priority[j];
-      // as its own property, what it recovers for leads out of its zone (5016)
-      if (spec_[by].recover == recover) continue;
-      if (const auto short_m = short_of(by, place, decision.kind, 0)) return Barred{by, *short_m};
-    }
-    return std::nullopt;
-  }
-
  private:
-  [[nodiscard]] std::optional<double> short_of(sema::MonitorId monitor,
-                                               const sema::Site::Place& place, sema::KindId kind,
-                                               double within_m) const {
-    return short_of({place.position.x, place.position.y}, *spec_[monitor].always,
-                    spec_[kind].radius.value.get_d() - within_m);
-  }
   // Nobody charges there; it is for whoever gets there.
   [[nodiscard]] std::optional<Barred> against_all(sema::SiteId id,
                                                   const sema::Site::Place& place) const {
@@ -208,41 +234,12 @@ class FencedOut {
     for (const sema::Decision& decision : spec_.decisions) {
       if (decision.kind != kind) continue;
       for (const sema::MonitorId id : decision.priority) {
-        if (const auto short_m = short_of(id, place, kind, charges_within_m)) {
+        if (const auto short_m = fences_.short_of(id, place, kind, charges_within_m)) {
           return Barred{id, *short_m};
         }
       }
     }
     return std::nullopt;
-  }
-  // How far from `p` at least the next place is that has what the property asks for, with `needs_m`
-  // of room around it; none: it may be nearer than that room.
-  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Expr& always,
-                                               double needs_m) const {
-    if (const auto* logic = std::get_if<sema::Logic>(&always.node)) {
-      return short_of(p, *logic, needs_m);
-    }
-    const std::optional<Fence> fence = fence_of(always);
-    if (!fence || spec_[fence->zone].has_height) return std::nullopt;  // a site has none
-    const auto region = region_of_(fence->zone);
-    if (!region) return std::nullopt;
-    const double clear_m = distance_m(p, *region) * (region->contains(p) ? 1 : -1);
-    const double short_m = fence->least_m + needs_m - clear_m;
-    return short_m > rounding_m ? std::optional(short_m) : std::nullopt;
-  }
-  // All operands of `and` are needed, and one of `or`.
-  [[nodiscard]] std::optional<double> short_of(const geometry::Point& p, const sema::Logic& logic,
-                                               double needs_m) const {
-    const bool all = logic.op == sema::LogicOp::logical_and;
-    if (!all && logic.op != sema::LogicOp::logical_or) return std::nullopt;
-    std::optional<double> found;
-    for (const auto& operand : logic.operands) {
-      const auto short_m = short_of(p, *operand, needs_m);
-      if (!short_m && !all) return std::nullopt;
-      if (!short_m) continue;
-      found = !found ? *short_m : (all ? std::max(*found, *short_m) : std::min(*found, *short_m));
-    }
-    return found;
   }
   void report(const sema::Site& site, const sema::Site::Place& place, const Barred& barred,
               bool charges) {
@@ -260,7 +257,7 @@ class FencedOut {
   }
 
   const sema::Spec& spec_;
-  const RegionOf& region_of_;
+  const Fences fences_;
   diag::Engine& diagnostics_;
 };
 
@@ -269,8 +266,19 @@ class FencedOut {
 std::optional<Barred> barred_on_the_way(const sema::Spec& spec, const RegionOf& region_of,
                                         const sema::Decision& decision, std::size_t k,
                                         const sema::Site::Place& place) {
-  diag::Engine nothing;
-  return FencedOut(spec, region_of, nothing).on_the_way(decision, k, place);
+  const auto& recover = spec[decision.priority[k]].recover;
+  const auto route = recover ? sema::route_of(spec[*recover]) : std::nullopt;
+  const auto own = route ? region_of(route->zone) : std::nullopt;
+  // outside of the zone of its way as well: one mistake
+  if (!own || !own->contains({place.position.x, place.position.y})) return std::nullopt;
+  const Fences fences(spec, region_of);
+  for (std::size_t j = 0; j < k; ++j) {
+    const sema::MonitorId by = decision.priority[j];
+    // as its own property, what it recovers for leads out of its zone (5016)
+    if (spec[by].recover == recover) continue;
+    if (const auto m = fences.short_of(by, place, decision.kind, 0)) return Barred{by, *m};
+  }
+  return std::nullopt;
 }
 
 diag::Diagnostic barred_site(const sema::Spec& spec, const Barred& barred,
