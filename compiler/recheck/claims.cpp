@@ -161,36 +161,46 @@ const sema::Decision* Claims::decision(const Values& v) const {
   return nullptr;
 }
 
-// Every number on the safe side of what is declared.
+// Every number that is declared is rounded to the safe side, and no safer than that: it would not
+// be what the modules are compiled with.
 Found Claims::limits(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto jitter = number(v, "jitter_us");
   if (d == nullptr || !jitter || *jitter < 0) return wrong("no such decision, or no jitter");
   if (micro(*jitter) < jitter_of(spec_, *d)) return wrong("jitter_us is too small");
+  if (micro(*jitter - 1) >= jitter_of(spec_, *d)) return wrong("jitter_us is too large");
   const Numbers n = numbers_of(spec_, *d, micro(*jitter));
-  const std::tuple<const char*, Rational, int> least[] = {
-      {"radius_mm", n.radius, 1000},
-      {"position_error_mm", n.position_error, 1000},
-      {"velocity_error_mmps", n.velocity_error, 1000},
-      {"position_age_us", n.position_age, 1'000'000},
-      {"velocity_age_us", n.velocity_age, 1'000'000},
-      {"latency_us", n.latency, 1'000'000},
-      {"speed_mmps", n.speed, 1000},
-      {"disturbance_mmps2", n.disturbance, 1000},
-      {"brake_lag_ms", n.aside, 1000},
-      {"brake_lag_permille", n.bend, 1000},
-      {"hold_mm", n.hold, 1000}};
-  for (const auto& [key, value, steps] : least) {
+  enum class Is { declared, derived };  // what is derived is a bound, which may be wider
+  const std::tuple<const char*, Rational, int, Is> least[] = {
+      {"radius_mm", n.radius, 1000, Is::declared},
+      {"position_error_mm", n.position_error, 1000, Is::declared},
+      {"velocity_error_mmps", n.velocity_error, 1000, Is::declared},
+      {"position_age_us", n.position_age, 1'000'000, Is::declared},
+      {"velocity_age_us", n.velocity_age, 1'000'000, Is::declared},
+      {"latency_us", n.latency, 1'000'000, Is::declared},
+      {"speed_mmps", n.speed, 1000, Is::declared},
+      {"disturbance_mmps2", n.disturbance, 1000, Is::declared},
+      {"brake_lag_ms", n.aside, 1000, Is::derived},
+      {"brake_lag_permille", n.bend, 1000, Is::derived},
+      {"hold_mm", n.hold, 1000, Is::derived}};
+  for (const auto& [key, value, steps, is] : least) {
     const auto claimed = number(v, key);
     if (!claimed || Rational(*claimed) < value * steps) {
       return wrong(std::string(key) + " is less than what is declared asks for");
+    }
+    if (is == Is::declared && Rational(*claimed) >= value * steps + 1) {
+      return wrong(std::string(key) + " is more than what is declared");
     }
   }
   const auto accel = number(v, "accel_mmps2"), brake = number(v, "brake_mmps2");
   if (!accel || *accel < 0 || milli(*accel) * milli(*accel) < n.accel_square) {
     return wrong("accel_mmps2 is less than the robot may accelerate");
   }
+  if (*accel > 0 && milli(*accel - 1) * milli(*accel - 1) >= n.accel_square) {
+    return wrong("accel_mmps2 is more than the robot may accelerate");
+  }
   if (!brake || milli(*brake) > n.brake) return wrong("brake_mmps2 is more than is declared");
+  if (milli(*brake + 1) <= n.brake) return wrong("brake_mmps2 is less than is declared");
   const auto period = number(v, "period_us");
   if (!period || micro(*period) != n.period) return wrong("period_us is not that of the decision");
   return std::nullopt;
@@ -203,16 +213,20 @@ Found Claims::horizon(const Values& v) {
   if (m == nullptr || !ahead || !horizon || !d->period) return wrong("no such monitor");
   const sema::RobotKind& kind = spec_[d->kind];
   const Rational least = least_ahead(spec_, *d, *m);
-  if (micro(*ahead) > (m->ahead.duration ? m->ahead.duration->value : least)) {
+  const Rational looks = m->ahead.duration ? m->ahead.duration->value : least;
+  if (micro(*ahead) > looks) {
     return wrong("it looks less far ahead than " + std::to_string(*ahead) + " us");
+  }
+  if (micro(*ahead + 1) <= looks) {
+    return wrong("it looks further ahead than " + std::to_string(*ahead) + " us");
   }
   if (micro(*ahead) < least) return wrong("the look-ahead is shorter than the period asks for");
   if (kind.latency.value > micro(*ahead)) {
     return wrong("a command acts later than the look-ahead lasts");
   }
-  if (micro(*horizon) < micro(*ahead) + kind.latency.value + jitter_of(spec_, *d)) {
-    return wrong("the horizon leaves out the latency or the jitter");
-  }
+  const Rational until = micro(*ahead) + kind.latency.value + jitter_of(spec_, *d);
+  if (micro(*horizon) < until) return wrong("the horizon leaves out the latency or the jitter");
+  if (micro(*horizon - 2) >= until) return wrong("the horizon is longer than what it is made of");
   return std::nullopt;
 }
 

@@ -13,24 +13,10 @@ namespace {
 enum class Unsafe { less, more };
 const std::map<std::string, Unsafe>& one_sided() {
   static const std::map<std::string, Unsafe> fields = {
-      // who looks further ahead than is asked for acts sooner; what is asked for is written
-      {"horizon.horizon_us", Unsafe::less},
-      {"horizon.lookahead_us", Unsafe::more},
-      // who counts with a worse robot than is declared keeps more clear
-      {"limits.accel_mmps2", Unsafe::less},
+      // bounds that are wider keep more clear
       {"limits.brake_lag_ms", Unsafe::less},
       {"limits.brake_lag_permille", Unsafe::less},
-      {"limits.brake_mmps2", Unsafe::more},
-      {"limits.disturbance_mmps2", Unsafe::less},
       {"limits.hold_mm", Unsafe::less},
-      {"limits.jitter_us", Unsafe::less},
-      {"limits.latency_us", Unsafe::less},
-      {"limits.position_age_us", Unsafe::less},
-      {"limits.position_error_mm", Unsafe::less},
-      {"limits.radius_mm", Unsafe::less},
-      {"limits.speed_mmps", Unsafe::less},
-      {"limits.velocity_age_us", Unsafe::less},
-      {"limits.velocity_error_mmps", Unsafe::less},
       // clearer ways are harder to find
       {"ways.route_mm", Unsafe::less},
       {"ways.return_mm", Unsafe::less},
