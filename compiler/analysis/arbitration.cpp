@@ -349,25 +349,11 @@ class Pair {
   // What of a zone lies within the heights that are allowed, as a box tells that is around it.
   void offer_between(ir::ZoneIndex zone, std::optional<std::int64_t> least_mm,
                      std::optional<std::int64_t> most_mm) {
-    const geometry::Solid solid = solid_(zone);
-    if (solid.slabs().empty()) return;
-    Layer layer{};
-    std::vector<Rational> xs, ys;
-    for (const geometry::Slab& slab : solid.slabs()) {
-      for (const auto& ring : slab.region.rings()) {
-        for (const geometry::Point& p : ring) {
-          xs.push_back(p.x);
-          ys.push_back(p.y);
-        }
-      }
-    }
-    layer.box = {floor_to_int(std::ranges::min(xs)), floor_to_int(std::ranges::min(ys)),
-                 ceil_to_int(std::ranges::max(xs)), ceil_to_int(std::ranges::max(ys))};
-    layer.floor_mm = floor_to_int(Rational(solid.slabs().front().floor * 1000));
-    layer.ceiling_mm = ceil_to_int(Rational(solid.slabs().back().ceiling * 1000));
-    if (least_mm) layer.floor_mm = std::max(layer.floor_mm, *least_mm);
-    if (most_mm) layer.ceiling_mm = std::min(layer.ceiling_mm, *most_mm);
-    if (layer.floor_mm >= layer.ceiling_mm) return;
+    auto layer = layer_around(solid_(zone));
+    if (!layer) return;
+    if (least_mm) layer->floor_mm = std::max(layer->floor_mm, *least_mm);
+    if (most_mm) layer->ceiling_mm = std::min(layer->ceiling_mm, *most_mm);
+    if (layer->floor_mm >= layer->ceiling_mm) return;
     entry_.within.push_back({"", zone, {{{zone}}, {{}, 0, layer}}});
   }
   // Straight down from anywhere above: what is in a slab is in the one below, down to the lowest of

@@ -64,7 +64,7 @@ class Writer {
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const DeclaredPart& part : parts) {
       if (part.layer) {
-        join(all, ZoneOp::intersect, prism(*part.layer));
+        if (part.layer->box != Box()) join(all, ZoneOp::intersect, prism(*part.layer));
         continue;
       }
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
@@ -147,6 +147,23 @@ class Writer {
 };
 
 }  // namespace
+
+std::optional<Layer> layer_around(const geometry::Solid& solid) {
+  if (solid.slabs().empty()) return std::nullopt;
+  std::vector<Rational> xs, ys;
+  for (const geometry::Slab& slab : solid.slabs()) {
+    for (const auto& ring : slab.region.rings()) {
+      for (const geometry::Point& p : ring) {
+        xs.push_back(p.x);
+        ys.push_back(p.y);
+      }
+    }
+  }
+  return Layer{{floor_to_int(std::ranges::min(xs)), floor_to_int(std::ranges::min(ys)),
+                ceil_to_int(std::ranges::max(xs)), ceil_to_int(std::ranges::max(ys))},
+               floor_to_int(Rational(solid.slabs().front().floor * 1000)),
+               ceil_to_int(Rational(solid.slabs().back().ceiling * 1000))};
+}
 
 sema::ZonePolygon rectangle(const Box& box) {
   const auto corner = [](std::int64_t x_m, std::int64_t y_m) {

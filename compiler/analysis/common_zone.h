@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "compiler/analysis/boundless.h"
+#include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
 
-// What is above or below a box, between two heights.
+// What is above or below a box, between two heights. A box of no size: above or below anything.
 struct Layer {
   Box box;
   std::int64_t floor_mm = 0, ceiling_mm = 0;
@@ -42,6 +43,9 @@ sema::Zone common_zone(const sema::Spec& spec, sema::ZoneId from,
                        const std::vector<DeclaredPart>& parts);
 // As in zone_text.h.
 std::string common_text(const sema::Spec& spec, const std::vector<DeclaredPart>& parts);
+
+// The box around a solid, from its floor to its ceiling; rounded outwards. nullopt: it is empty.
+std::optional<Layer> layer_around(const geometry::Solid& solid);
 
 // A box as a zone.
 sema::ZonePolygon rectangle(const Box& box);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/boundless.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
@@ -86,12 +87,25 @@ class InSpace {
     return fences_of(monitor_.property, decision_.facts.params);
   }
 
+  // The zones of which inputs say whether they count.
+  [[nodiscard]] std::vector<ir::ZoneIndex> when_told() const {
+    auto all = told_fences_of(monitor_.property, decision_.facts.params);
+    for (const Choice& choice : choices_of(monitor_.property, decision_.facts.params)) {
+      if (choice.size() == 1) all.push_back(choice.front());
+    }
+    return all;
+  }
+
   Found within_zone(const ir::Recovery& step) const {
     for (const ir::ZoneIndex fence : fences()) {
       if (fence == step.zone && !step.claims) continue;
       if (Found found = lies_in(step, fence) ? nearer(step, fence) : outside(step, fence)) {
         return found;
       }
+    }
+    // inputs may say of each of these that it counts
+    for (const ir::ZoneIndex fence : when_told()) {
+      if ((fence != step.zone || step.claims) && !lies_in(step, fence)) return outside(step, fence);
     }
     // an external one is braked where its claim does not hold: it leads nowhere from there
     if (Found found = step.claims ? std::nullopt : across(step)) return found;
@@ -108,12 +122,12 @@ class InSpace {
     const bool deep = step.claims && std::ranges::any_of(asked, [&](const Standoff& each) {
                         return each.zone == fence && each.mm > touching_mm;
                       });
-    const std::string name = "`" + module_[fence].name + "`";
+    const std::string name = name_as_written(module_[fence]);
     const std::string works =
         step.kind == ir::RecoveryKind::route && module_[fence].has_height()  // it keeps its height
             ? "a zone of the plane all of which lies in " + name + " at every height works"
             : deep ? "a zone that lies as far in " + name + " as is asked for works"
-                   : "a zone that lies in " + name + " works, such as that one itself";
+                   : "a zone that lies in " + name + " " + lying_in(step, fence);
     const bool flat = !zone.has_height() && module_[fence].has_height();
     if (flat && step.claims) {
       return elsewhere(step, name, "a claim of `" + zone.name + "` bounds no height", works);
@@ -131,9 +145,11 @@ class InSpace {
     }
     const geometry::Solid beyond = exact_(step.zone).subtract(exact_(fence));
     const geometry::Slab& slab = beyond.slabs().front();
+    const bool bounded = zone.has_height() || module_[fence].has_height();
+    const std::string where =
+        bounded ? "from " + metres(slab.floor) + " to " + metres(slab.ceiling) : "at every height";
     return elsewhere(step, name,
-                     "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " a part of `" +
-                         zone.name + "` lies outside " + name + ", such as " +
+                     where + " a part of `" + zone.name + "` lies outside " + name + ", such as " +
                          some_corner(slab.region),
                      works);
   }
@@ -177,6 +193,12 @@ class InSpace {
           "a zone all of whose places are that far off " + as_far_off(step, each));
     }
     return std::nullopt;
+  }
+  // That one itself, if it bounds something; else what the zone leaves of it, as far as is asked.
+  [[nodiscard]] std::string lying_in(const ir::Recovery& step, ir::ZoneIndex fence) const {
+    const ir::ZoneTable& zone = module_[fence];
+    if (zone.has_height() || !is_boundless(zone)) return "works, such as that one itself";
+    return as_far_off(step, {fence, asked_mm(fence)});
   }
   // What is left of the zone, if that works.
   [[nodiscard]] std::string as_far_off(const ir::Recovery& step, const Standoff& fence) const {

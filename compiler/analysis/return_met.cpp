@@ -84,6 +84,8 @@ class Met {
     const Part all = of(when, when.result);
     found_.how = all.how;
     found_.shown_mmps = all.shown_mmps;
+    found_.shown_high_mm = all.shown_high_mm;
+    found_.lands_above = all.lands_above;
     found_.stuck_mm = some_place(all.stuck);
     return found_;
   }
@@ -93,8 +95,9 @@ class Met {
   struct Part {
     How how = How::open;
     geometry::Region stuck{};  // where the recovery leaves a robot, and this does not hold
-    // with a limit of this speed, nothing of it were open
-    std::optional<std::int64_t> shown_mmps{};
+    // with a limit of this speed, nothing of it were open; or of this height
+    std::optional<std::int64_t> shown_mmps{}, shown_high_mm{};
+    bool lands_above = false;  // a landing ends higher than it asks for
   };
 
   // Several conditions may share one.
@@ -159,11 +162,14 @@ class Met {
   }
   static Part both(const Part& a, const Part& b) {
     Part all{std::max(a.how, b.how), a.stuck.unite(b.stuck)};
-    if (a.how != How::open || b.how != How::open) {
-      all.shown_mmps = a.how == How::open ? a.shown_mmps : b.shown_mmps;
-    } else if (a.shown_mmps && b.shown_mmps) {
-      all.shown_mmps = std::max(a.shown_mmps, b.shown_mmps);
-    }
+    all.lands_above = a.lands_above || b.lands_above;
+    const auto with = [&](std::optional<std::int64_t> Part::*limit) -> std::optional<std::int64_t> {
+      if (a.how != How::open) return b.*limit;
+      if (b.how != How::open) return a.*limit;
+      return a.*limit && b.*limit ? std::max(a.*limit, b.*limit) : std::nullopt;
+    };
+    all.shown_mmps = with(&Part::shown_mmps);
+    all.shown_high_mm = with(&Part::shown_high_mm);
     return all;
   }
   // Of a choice the side that is asked for may be either; it fails where both sides do. Who loiters
@@ -174,6 +180,8 @@ class Met {
     if (any.how != How::open) return any;
     any.stuck = a.stuck.intersect(b.stuck);
     any.shown_mmps = a.shown_mmps ? a.shown_mmps : b.shown_mmps;
+    any.shown_high_mm = a.shown_high_mm ? a.shown_high_mm : b.shown_high_mm;
+    any.lands_above = a.lands_above && b.lands_above;
     return any;
   }
   Part comes_about(const ir::Block& block, const ir::AtLeast& compare) {
@@ -189,6 +197,7 @@ class Met {
       return clear(ir::ZoneIndex{least->leaf.table}, least->need.strictest);
     }
     if (most && most->leaf.kind == ir::Leaf::Kind::speed) return slow(most->most);
+    if (last_.kind == ir::RecoveryKind::land) return landed(least, most);
     return found(height(least, most));
   }
   [[nodiscard]] bool in_laps() const { return lasts_ && last_.kind == ir::RecoveryKind::loiter; }
@@ -227,7 +236,10 @@ class Met {
     }
     // less than touching it may hold outside
     if (least_mm < 0 || last_.kind != ir::RecoveryKind::retreat) return {};
-    return {How::open, stuck_outside(own.subtract(exact_(zone)))};
+    const std::int64_t surely_mm =
+        decision_.body.radius_mm + least_mm - rests_off_mm(decision_.body);
+    const auto has = within(exact_(zone), std::max<std::int64_t>(surely_mm, 0));
+    return {How::open, stuck_outside(own.subtract(has.value_or(exact_(zone))))};
   }
   [[nodiscard]] bool sites_clear(ir::ZoneIndex zone, std::int64_t need_mm) const {
     const auto deep = within(exact_(zone), need_mm + parked_mm);
@@ -269,15 +281,30 @@ class Met {
     const geometry::Point at = left.contains(middle) ? middle : parts.front().outer.front();
     return {{floor_to_int(Rational(at.x * 1000)), floor_to_int(Rational(at.y * 1000))}};
   }
+  // Of where a sample shows it to be, which errors and its hold make of where it is.
+  [[nodiscard]] std::int64_t height_errs_mm() const {
+    return shown_clearance_mm(decision_, motion_, 0) - decision_.body.radius_mm;
+  }
+  // Who is lower than where a landing ends is held there.
+  [[nodiscard]] Part landed(const std::optional<ir::LowerBound>& least,
+                            const std::optional<ir::UpperBound>& most) const {
+    const bool low = least && least->leaf.kind == ir::Leaf::Kind::altitude;
+    const bool high = most && most->leaf.kind == ir::Leaf::Kind::altitude;
+    if (low || !high) return {};
+    const std::int64_t strays_mm = decision_.body.hold_mm + height_errs_mm();
+    if (last_.land_mm + strays_mm <= most->most) return {How::itself};
+    Part part;
+    part.shown_high_mm = last_.land_mm + strays_mm;
+    part.lands_above = last_.land_mm - strays_mm > most->most;
+    return part;
+  }
   [[nodiscard]] bool height(const std::optional<ir::LowerBound>& least,
                             const std::optional<ir::UpperBound>& most) const {
     const bool low = least && least->leaf.kind == ir::Leaf::Kind::altitude;
     const bool high = most && most->leaf.kind == ir::Leaf::Kind::altitude;
     const auto& slabs = module_[last_.zone].slabs;
     if ((!low && !high) || !leads_ || slabs.empty()) return false;
-    const std::int64_t errs_mm =
-        shown_clearance_mm(decision_, motion_, 0) - decision_.body.radius_mm;
-    const std::int64_t rest_mm = last_.return_clearance_mm - errs_mm;
+    const std::int64_t rest_mm = last_.return_clearance_mm - height_errs_mm();
     return (!low || slabs.front().floor_mm + rest_mm >= least->need.strictest) &&
            (!high || slabs.back().ceiling_mm - rest_mm <= most->most);
   }

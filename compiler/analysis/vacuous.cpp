@@ -147,12 +147,15 @@ class Finder {
         add(limit_of(leaf, sgn(k) > 0));
       }
     });
-    for (const ir::Value& v : property.values) {
-      if (std::holds_alternative<ir::ForOthers>(v.op) && decision_.robots < 2) {
-        add("there is no other `" + decision_.kind + "`");
-      }
-    }
+    if (is_about_nobody(property)) add("there is no other `" + decision_.kind + "`");
     return all;
+  }
+
+  // Of other robots, where there are none.
+  [[nodiscard]] bool is_about_nobody(const ir::Block& property) const {
+    return decision_.robots < 2 && std::ranges::any_of(property.values, [](const ir::Value& v) {
+             return std::holds_alternative<ir::ForOthers>(v.op);
+           });
   }
 
  private:
@@ -386,6 +389,7 @@ Vacuity vacuity_of(const ir::Module& module, const ir::Decision& decision,
   } else if (states.empty()) {
     out.can_fail = CanFail::no;
     out.because = finder.limits_of(property);
+    out.alone = finder.is_about_nobody(property);
   }
   return out;
 }

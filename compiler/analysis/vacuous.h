@@ -15,6 +15,7 @@ struct Vacuity {
   CanFail can_fail = CanFail::open;
   // What makes it false; or, of what is never false, what its signals can be at all.
   std::vector<std::string> because;
+  bool alone = false;  // of what is never false, it is about other robots, and there is none
 };
 // Never false is a property that finds nothing, whatever the robots do.
 // `told`: whether inputs can make it false, as far as it is up to them.

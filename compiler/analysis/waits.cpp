@@ -61,4 +61,8 @@ bool waits_for_outsiders(const ir::Block& property) {
   return waited_for(property, property.result, true) > Awaited::robots;
 }
 
+bool waits_for_inputs(const ir::Block& property) {
+  return waited_for(property, property.result, true) == Awaited::inputs;
+}
+
 }  // namespace rtac::analysis

@@ -16,4 +16,7 @@ std::string waits_until(const ir::Block& property);
 // received. These may stay as they are for ever.
 bool waits_for_outsiders(const ir::Block& property);
 
+// Whether it waits for inputs, or for the ages of samples.
+bool waits_for_inputs(const ir::Block& property);
+
 }  // namespace rtac::analysis

@@ -111,8 +111,10 @@ class WellFormed {
     d.message = "the monitor `" + monitor.name + "` is never false, whatever the robots do";
     d.label = "finds nothing";
     for (const std::string& limit : vacuity.because) d.notes.push_back({std::nullopt, limit});
-    d.help = d.notes.empty() ? "a property that depends on the robot works"
-                             : "a limit on the other side of that works";
+    d.help = vacuity.alone && d.notes.size() == 1
+                 ? "a second robot in the fleet works, or leave the monitor out"
+             : d.notes.empty() ? "a property that depends on the robot works"
+                               : "a limit on the other side of that works";
     diagnostics_.report(std::move(d));
   }
   // A recovery searches cells: in a large zone they are wide, and all of a cell counts for as clear

@@ -630,6 +630,10 @@ struct Returns {
   std::optional<std::pair<std::int64_t, std::int64_t>> stuck_mm{};
   // It asks for less than this speed, at which every sample shows a robot at rest to be.
   std::optional<std::int64_t> shown_mmps{};
+  // It asks for a lower place than this one, below which every sample shows a robot that has
+  // landed; and for a lower one than where it lands.
+  std::optional<std::int64_t> shown_high_mm{};
+  bool lands_above = false;
 };
 struct Monitor {
   std::string name, requirement_id, requirement_text;

@@ -215,11 +215,19 @@ class Condition {
       const Rational errs = seen(0) - numbers_.radius;
       return z_ && keeps_heights(spec_, *monitor_.return_when, true, *z_, errs);
     }
+    const Rational errs = seen(0) - numbers_.radius, rest = left_ - errs;
+    const auto steps = sema::templates_of(recovery_);
+    if (!steps.empty() && std::holds_alternative<sema::Land>(steps.back())) {
+      // or lower, where it has set out from there
+      const Rational end = std::get<sema::Land>(steps.back()).height.value;
+      const Rational anywhere_lower = end - 1'000'000;
+      return keeps_heights(spec_, *monitor_.return_when, true, anywhere_lower, 0) &&
+             keeps_heights(spec_, *monitor_.return_when, true, end + numbers_.hold + errs, 0);
+    }
     const auto within = moves_within(recovery_);
     if (within.empty()) return false;
     const auto solid = claims_.zones().solid(within.back());
     if (!solid || solid->slabs().empty()) return false;
-    const Rational errs = seen(0) - numbers_.radius, rest = left_ - errs;
     return keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().front().floor + rest,
                          0) &&
            keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().back().ceiling - rest,

@@ -57,7 +57,7 @@ std::vector<At> in_the_plane(const Subject& s, const std::vector<At>& begins,
 std::vector<At> in_space(const Subject& s, double spare_mm) {
   const double body_mm = double(s.decision.body.radius_mm);
   std::vector<Says> says;
-  for (const ir::Monitor& m : s.decision.monitors) says.push_back(says_of(s, m));
+  for (const ir::Monitor& m : s.decision.monitors) says.push_back(says_of(s, m.property));
   std::vector<At> all = grid_of(says, body_mm, body_mm + spare_mm);
   std::erase_if(all, [&](const At& at) {
     return !std::ranges::all_of(

@@ -11,6 +11,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/tables.h"
+#include "compiler/analysis/waits.h"
 #include "compiler/ir/linear.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
@@ -285,13 +286,23 @@ bool may_be_led_on(const ir::Decision& d, std::size_t k) {
                      });
 }
 
+// A condition on where the robot is and how fast, and on nothing that others have a hand in.
+bool asks_itself_alone(const ir::Block& when) {
+  const Atoms asked = atoms_of(when);
+  if (asked.charge || asked.energy || asked.agent || asked.others || asked.received) return false;
+  return std::ranges::none_of(when.values, [](const ir::Value& v) {
+    return std::holds_alternative<ir::Fact>(v.op) || std::holds_alternative<ir::InputTruth>(v.op) ||
+           std::holds_alternative<ir::InputIs>(v.op);
+  });
+}
+
 // A monitor that asks for more than its property, to let go.
 Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   if (o.status != Status::proved || !m.return_when) return o;
   if (m.returns.how == ir::Returns::How::itself) return o;
   if (m.returns.how == ir::Returns::How::told) {
-    o.because += "; its return condition waits for inputs";
+    o.because += "; its return condition waits for inputs, or for samples of another age";
     return o;
   }
   Obligation open = blank(s, k, Kind::p2b);
@@ -303,6 +314,17 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
     const std::string mmps = to_decimal(Rational(*m.returns.shown_mmps, 1000)) + " m/s";
     open.because += ": samples may show a robot at rest at up to " + mmps;
     open.repair = "a limit of " + mmps + " in `return when` works, or `hold when violated \"why\"`";
+  }
+  if (m.returns.shown_high_mm) {
+    const std::string height = metres(*m.returns.shown_high_mm);
+    open.because += ": it ends at " + metres(ir::last_step(m.recovery).land_mm) +
+                    ", where samples may show a robot up to " + height;
+    open.repair =
+        "a limit of " + height + " in `return when` works, or `hold when violated \"why\"`";
+    if (m.returns.lands_above) {
+      open.status = Status::refuted;
+      open.by_a_run = true;
+    }
   }
   if (m.returns.stuck_mm) {
     open.status = Status::refuted;
@@ -318,6 +340,11 @@ Obligation by_its_condition(const Subject& s, std::size_t k, Obligation o) {
     open.repair = routes ? "a site within what it asks for is needed"
                          : "a recovery within what it asks for is needed";
     if (s.is_read) open.mends = recoveries_to_its_condition(s, k);
+  } else if (open.status == Status::unknown && asks_itself_alone(*m.return_when)) {
+    auto starts = starts_stranded_in_space(s, k);
+    if (!starts.empty()) {
+      return shown_from(s, ir::last_step(m.recovery), std::move(open), std::move(starts));
+    }
   }
   return open;
 }
@@ -386,6 +413,11 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
         })) {
       ways.because += ", as soon as no agent stands in its way";
     }
+    // which say nothing of when that is
+    if (analysis::waits_for_inputs(m.property)) {
+      ways.because += ", as soon as what " + quoted(m.name) +
+                      " asks of inputs and of the ages of " + "samples is so";
+    }
     return returned_at_rest(s, k, std::move(ways));
   }
   if (last == ir::RecoveryKind::land) return landing_returns(s, k, std::move(o));
@@ -406,7 +438,7 @@ Obligation control_returns(const Subject& s, std::size_t k) {
   o = unless_accepted(s, k, Kind::p2b, [&] {
     return told_at_once(s, k, by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b))));
   });
-  o.patience_s = analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
+  o.patience_s += analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
     o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full
   }

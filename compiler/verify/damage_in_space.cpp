@@ -26,13 +26,13 @@ class DamageInSpace {
       : s_(s),
         spare_mm_(spare_mm),
         driving_(s.decision.monitors[driving]),
-        judged_(says_of(s, s.decision.monitors[judged])),
-        drives_(says_of(s, driving_)),
+        judged_(says_of(s, s.decision.monitors[judged].property)),
+        drives_(says_of(s, driving_.property)),
         body_mm_(double(s.decision.body.radius_mm)) {
     for (const ir::Monitor& m : s.decision.monitors) {
       // it is kept anywhere while inputs say so, until they ask for something else
       if (&m == &driving_ && may_hold_by_inputs(m.property)) continue;
-      all_.push_back(says_of(s, m));
+      all_.push_back(says_of(s, m.property));
     }
   }
 

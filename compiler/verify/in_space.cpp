@@ -93,17 +93,17 @@ bool Says::holds(const At& at, double body_mm, double spare_mm) const {
          });
 }
 
-Says says_of(const Subject& s, const ir::Monitor& m) {
+Says says_of(const Subject& s, const ir::Block& property) {
   const auto& params = s.decision.facts.params;
   Says says;
-  for (const ir::ZoneIndex zone : analysis::fences_of(m.property, params)) {
+  for (const ir::ZoneIndex zone : analysis::fences_of(property, params)) {
     double standoff_mm = 0;
-    for (const analysis::Standoff& each : analysis::fence_standoffs(m.property, params)) {
+    for (const analysis::Standoff& each : analysis::fence_standoffs(property, params)) {
       if (each.zone == zone) standoff_mm = std::max(standoff_mm, double(each.mm));
     }
     says.zones.emplace_back(Volume(s, zone), standoff_mm);
   }
-  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& c) {
     const auto most = ir::upper_bound(block, c);
     if (most && most->leaf.kind == ir::Leaf::Kind::altitude) {
       says.most_mm = std::min(says.most_mm, double(most->most));

@@ -52,7 +52,7 @@ struct Says {
   double least_mm = -endless_mm, most_mm = endless_mm;
   [[nodiscard]] bool holds(const At& at, double body_mm, double spare_mm) const;
 };
-Says says_of(const Subject& s, const ir::Monitor& m);
+Says says_of(const Subject& s, const ir::Block& property);
 
 // A grid in the box that all zones have in common, up to `rim_mm` from its sides.
 std::vector<At> grid_of(const std::vector<Says>& all, double body_mm, double rim_mm);

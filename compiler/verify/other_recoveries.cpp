@@ -42,6 +42,56 @@ std::int64_t slow_enough_mmps(const ir::Decision& d, std::int64_t limit_mmps) {
   return low;
 }
 
+// The heights that a monitor allows, and the standoff that it asks for from the boundary of a zone.
+struct Allows {
+  std::optional<std::int64_t> least_mm{}, most_mm{};
+  std::int64_t off_mm = 0;
+};
+Allows allowed_by(const ir::Decision& d, const ir::Monitor& m, ir::ZoneIndex zone) {
+  const auto& params = d.facts.params;
+  Allows all;
+  ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto most = ir::upper_bound(block, compare);
+    if (most && most->leaf.kind == ir::Leaf::Kind::altitude) {
+      all.most_mm = std::min(all.most_mm.value_or(most->most), most->most);
+    }
+    const auto least = ir::lower_bound(block, compare, params);
+    if (!least) return;
+    const std::int64_t need = least->need.strictest;
+    if (least->leaf.kind == ir::Leaf::Kind::altitude) {
+      all.least_mm = std::max(all.least_mm.value_or(need), need);
+    }
+    const bool own =
+        least->leaf.kind == ir::Leaf::Kind::clearance && ir::ZoneIndex{least->leaf.table} == zone;
+    if (own) all.off_mm = std::max(all.off_mm, need);
+  });
+  return all;
+}
+// Who goes back on its height leads to no height that another monitor asks for: it does in a zone
+// that is no higher, or lower.
+std::optional<OtherZone> between_heights(const Subject& s, const ir::Monitor& leads,
+                                         const ir::Monitor& asks) {
+  const ir::Recovery& last = ir::last_step(leads.recovery);
+  const auto from = s.zone_of(last.zone);
+  if (!s.decision.body.in_space || !ir::goes_back(last.kind) || !from) return std::nullopt;
+  const Allows heights = allowed_by(s.decision, asks, last.zone);
+  if (!heights.least_mm && !heights.most_mm) return std::nullopt;
+  const bool tall = s.module[last.zone].has_height();
+  // above the ground, if nothing else is said
+  auto layer = tall ? analysis::layer_around(s.solid(last.zone)) : analysis::Layer{};
+  if (!layer || (!tall && !heights.most_mm)) return std::nullopt;
+  if (heights.least_mm) layer->floor_mm = std::max(layer->floor_mm, *heights.least_mm);
+  if (!tall) layer->ceiling_mm = *heights.most_mm;
+  if (heights.most_mm) layer->ceiling_mm = std::min(layer->ceiling_mm, *heights.most_mm);
+  if (layer->floor_mm >= layer->ceiling_mm) return std::nullopt;
+  std::int64_t off_mm = 0;
+  for (const ir::Monitor& m : s.decision.monitors) {
+    if (m.recovery.name != leads.recovery.name) continue;
+    off_mm = std::max(off_mm, allowed_by(s.decision, m, last.zone).off_mm);
+  }
+  return OtherZone{leads.recovery.name, *from, {{{*from}, off_mm}, {{}, 0, layer}}};
+}
+
 }  // namespace
 
 std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration& matrix,
@@ -60,6 +110,9 @@ std::vector<Mend> other_recoveries(const Subject& s, const analysis::Arbitration
         const auto from = s.zone_of(within.from);
         const auto parts = analysis::declared(within.parts, s.zone_of);
         if (from && parts) all.emplace_back(OtherZone{d.monitors[i].recovery.name, *from, *parts});
+      }
+      if (auto zone = between_heights(s, d.monitors[i], d.monitors[j])) {
+        all.emplace_back(*std::move(zone));
       }
     }
   }

@@ -276,6 +276,16 @@ Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs) 
   return o;
 }
 
+Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
+                      std::vector<Start> starts) {
+  const auto [dx, dy, up] = analysis::extent_of(s.module, s.module[last.zone]);
+  o.status = Status::refuted;
+  o.by_a_run = true;
+  o.starts = std::move(starts);
+  o.patience_s += 2 * (dx + dy + up) / std::max<std::int64_t>(1, last.speed_mmps);
+  return o;
+}
+
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
                      const ir::Block& block, const ir::AtLeast& limit) {
   if (!ir::moves(last.kind) || !s.module[last.zone].has_height()) return false;
@@ -355,16 +365,20 @@ bool leads_straight(const std::vector<geometry::Slab>& slabs, std::size_t from, 
   return true;
 }
 
-Obligation not_in_sight(const Subject& s, const ir::Recovery& last, Obligation o,
+Obligation not_in_sight(const Subject& s, std::size_t k, Obligation o,
                         const std::optional<Spot>& hidden) {
+  const ir::Recovery& last = ir::last_step(s.decision.monitors[k].recovery);
   o.status = Status::unknown;
   o.because = "that from everywhere in " + quoted(s.module[last.zone].name) +
               " a leg leads up or down, through what gets no narrower, to where a place to return "
               "is in sight, " +
               metres(last.return_clearance_mm + s.decision.body.end_reach_mm) +
               " from the boundary, is not shown";
-  if (hidden) o.because += "; from near " + place(hidden->x_mm, hidden->y_mm) + " it may not be";
-  return o;
+  if (!hidden) return o;
+  o.because += "; from near " + place(hidden->x_mm, hidden->y_mm) + " it may not be";
+  // a run that begins where nothing is in sight may show it, and says so if it does
+  auto starts = starts_stranded_in_space(s, k);
+  return starts.empty() ? o : shown_from(s, last, std::move(o), std::move(starts));
 }
 
 // A place over or below which there is less room than it asks for, in the middle of what lies
@@ -414,13 +428,7 @@ Obligation too_low(const Subject& s, const ir::Monitor& m, const std::vector<geo
     asks = asks || (least && least->leaf.kind == ir::Leaf::Kind::clearance);
   });
   if (!spot || !asks) return o;
-  // at least as long as legs take that are as long as the zone is wide, deep and high
-  const auto [dx, dy, up] = analysis::extent_of(s.module, s.module[last.zone]);
-  o.status = Status::refuted;
-  o.by_a_run = true;
-  o.starts = {{{spot->x_mm, spot->y_mm, spot->z_mm}}};
-  o.patience_s += 2 * (dx + dy + up) / std::max<std::int64_t>(1, last.speed_mmps);
-  return o;
+  return shown_from(s, last, std::move(o), {{{spot->x_mm, spot->y_mm, spot->z_mm}}});
 }
 
 Claim legs_claim(const Subject& s, const ir::Monitor& m, std::int64_t aim_mm) {
@@ -450,7 +458,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
   const auto slabs = slabs_of(s, last.zone);
   std::optional<Spot> hidden;
   if (!ir::goes_back(last.kind) || !slabs || slabs->size() > slabs_max) {
-    return not_in_sight(s, last, std::move(o), hidden);
+    return not_in_sight(s, k, std::move(o), hidden);
   }
   const ir::ZoneTable& zone = s.module[last.zone];
   // it may come to rest beside where its legs end
@@ -483,7 +491,7 @@ Obligation legs_back(const Subject& s, std::size_t k) {
     if (!place && is_too_low(zone, from, aim_mm)) {
       return too_low(s, m, *slabs, from, aim_mm, std::move(o));
     }
-    if (!place) return not_in_sight(s, last, std::move(o), hidden);
+    if (!place) return not_in_sight(s, k, std::move(o), hidden);
     const std::string of = "_" + std::to_string(from);
     claim.values["x_mm" + of] = std::to_string(place->x_mm);
     claim.values["y_mm" + of] = std::to_string(place->y_mm);

@@ -92,6 +92,12 @@ std::vector<Start> starts_of_damage_in_space(const Subject& s, std::size_t drivi
 // The same from where it leads to where the monitor takes over.
 std::vector<Start> starts_of_take_over_in_space(const Subject& s, std::size_t driving,
                                                 std::size_t judged);
+// From where the recovery of a monitor leads nowhere, and control is not given back.
+std::vector<Start> starts_stranded_in_space(const Subject& s, std::size_t k);
+// Refuted if a run that begins there is not given back for as long as legs take, at least, that are
+// as long as the zone of the recovery is wide, deep and high.
+Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
+                      std::vector<Start> starts);
 // From where robots may wait for each other for ever, one of them by `yield`, each of those places
 // with all of them. `instead`: another monitor whose recovery may drive, if there is one.
 std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,

@@ -252,6 +252,10 @@ void add_own_starts(const Subject& s, Obligation& o) {
   if (o.kind == Kind::p2b && is_refuted_by(o, diag::Code::speed_limit_unkept)) {
     o.starts.emplace_back();
   }
+  if (own && o.kind == Kind::p2b && is_refuted_by(o, diag::Code::recovery_elsewhere)) {
+    const auto k = std::size_t(m - s.decision.monitors.begin());
+    for (Start& start : starts_stranded_in_space(s, k)) o.starts.push_back(std::move(start));
+  }
   if (s.decision.body.in_space) return;
   if (own && is_refuted_by(o, diag::Code::recovery_stands)) add_slow_places(s, *m, o);
   if (own && is_refuted_by(o, diag::Code::others_unkept) && s.decision.robots > 1) {

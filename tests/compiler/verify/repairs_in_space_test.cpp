@@ -92,5 +92,35 @@ TEST_F(RepairsInSpace, ALandingAboveItsLimitIsToldHowLowItHasToEnd) {
   EXPECT_TRUE(works(page("10 m", limit + " or r.speed <= 2 m/s")));
 }
 
+// Who goes back on its height and who lands take over from each other where neither has what the
+// other one asks: in a zone up to the limit the former leads down to it.
+TEST_F(RepairsInSpace, AZoneUpToALimitOfHeightIsOffered) {
+  const auto page = [](const std::string& within, const std::string& fence,
+                       const std::string& order) {
+    return "spec plot;\nzone plot = rectangle (0 m, 0 m) to (60 m, 40 m);\nzone low = " + within +
+           ";\n" + a_quad +
+           "controller down : safe for Quad = land to 1 m speed 0.6 m/s;\n"
+           "controller back : safe for Quad = retreat within low speed 0.8 m/s;\n"
+           "monitor roof for r : Quad { \"R1\" always r.position.z <= 50 m; recover down; }\n"
+           "monitor over for r : Quad { \"R2\" always " +
+           fence +
+           "; recover back; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms; priority " +
+           order + "; }\n";
+  };
+  const std::pair<const char*, const char*> fences[] = {
+      {"r inside plot", "prism (plot) from 0 m to 50 m"},
+      {"clearance(r, plot) >= 1 m", "prism (shrink(plot, 1 m)) from 0 m to 50 m"}};
+  for (const auto& [fence, offered] : fences) {
+    for (const char* order : {"roof > over", "over > roof"}) {
+      const Outcome o = verified(edited(page("plot", fence, order), "within low", "within plot"));
+      EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+      const std::string text = "`back` within a zone that is `" + std::string(offered) + "` works";
+      EXPECT_NE(o.out.find(text), std::string::npos) << o.out;
+      EXPECT_TRUE(RepairsInSpace::works(page(offered, fence, order))) << fence << order;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -363,5 +363,37 @@ TEST_F(ReturnWhen, WhatUnequalStampsLeaveOpenIsDenied) {
   }
 }
 
+// A landing ends where it is told to, or lower where it has set out from there.
+TEST_F(ReturnWhen, OfALandingAHeightAboveItsEndHolds) {
+  const auto page = [](const std::string& when) {
+    return R"(spec roof;
+robot Quad {
+  body radius 40 cm;
+  motion point { speed <= 5 m/s; accel <= 4 m/s^2; brake >= 4 m/s^2; }
+  sense position : point3 error 10 cm max_age 50 ms;
+  sense velocity : vector3 error 10 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller nav : advanced for Quad extern;
+controller down : safe for Quad = land to 1 m speed 0.6 m/s;
+monitor roof for r : Quad { "SR-1: below 50 m" always r.position.z <= 50 m; recover down; return when )" +
+           when + R"(; }
+decision d for Quad { advanced nav; period 50 ms; priority roof; }
+)";
+  };
+  for (const char* when : {"r.position.z <= 47 m", "r.position.z <= 2.5 m for 1 s"}) {
+    const Outcome o = verified(page(when), {"-o", "shown"});
+    EXPECT_EQ(o.status, exit_clean) << when << o.out << o.err;
+    const Outcome again = rtac({"verify", "--recheck", "shown"});
+    EXPECT_EQ(again.status, exit_clean) << when << again.out;
+  }
+  for (const char* when : {"r.position.z <= 1.2 m", "r.position.z >= 0.5 m"}) {
+    const Outcome o = verified(page(when), {"--format", "json"});
+    EXPECT_EQ(statuses(o.out, "P2b", "roof"), Statuses{"unknown"}) << when << o.out;
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

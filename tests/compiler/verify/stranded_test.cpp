@@ -1,0 +1,84 @@
+// Places in space from which a recovery leads nowhere: a run that begins there shows it.
+#include <cmath>
+
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Stranded : public Verify {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  static std::string page(const std::string& zone, const std::string& monitor) {
+    return "spec racks;\nzone free = prism (" + zone + ") from 0 m to 30 m;\n" +
+           "zone wing = rectangle (0 m, 0 m) to (8 m, 6 m);\ninput closed : bool max_age 500 "
+           "ms;\n" +
+           a_quad +
+           "controller back : safe for Quad = retreat within free speed 1 m/s;\n"
+           "monitor m for r : Quad { \"R1\" always " +
+           monitor + " }\ndecision fly for Quad { advanced policy; period 50 ms; priority m; }\n";
+  }
+  // P2b, by a run that is played again.
+  static void expect_shown(const std::string& text, const std::string& because) {
+    const Outcome o = verified(text, {"--format", "json", "-o", "shown"});
+    EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
+    EXPECT_EQ(statuses(o.out, "P2b", "m"), Statuses{"refuted"}) << o.out;
+    EXPECT_NE(o.out.find(because), std::string::npos) << o.out;
+    const Outcome again = rtac({"sim", "spec.rta", "--replay", "shown/violation.trace"});
+    EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+  }
+};
+
+const std::string hall = "rectangle (0 m, 0 m) to (40 m, 30 m)";
+
+TEST_F(Stranded, BetweenRacksNothingIsInSight) {
+  const auto racks = [](const std::string& high) {
+    return hall + " - (rectangle (5 m, 5 m) to (35 m, 7 m) | rectangle (5 m, " + high +
+           " m) to (35 m, 14 m))";
+  };
+  const std::string monitor = "r inside free; recover back;";
+  expect_shown(page(racks("9"), monitor), "to where a place to return is in sight");
+  const Outcome wide = verified(page(racks("13.5"), monitor));
+  EXPECT_EQ(wide.status, exit_clean) << wide.out << wide.err;
+}
+
+// Who is clear enough of its own zone is led nowhere else, also where inputs ask for another one.
+TEST_F(Stranded, InAZoneThatInputsCloseNothingLeadsOut) {
+  const std::string monitor = "closed implies distance(r, wing) >= 20 cm; recover back;";
+  expect_shown(page(hall, monitor), "needs it to stay in `complement(wing)`");
+}
+
+// Its `return when` asks for what it does not lead to.
+TEST_F(Stranded, AboveTheHeightThatLetsItGoItIsLedNoLower) {
+  expect_shown(page(hall, "r inside free; recover back; return when r.position.z <= 20 m;"),
+               "`return when` of `m` holds where `back` leads");
+  const std::string lower = "r inside free; recover back; return when r.position.z <= 29.5 m;";
+  const Outcome o = verified(page(hall, lower));
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+}
+
+TEST_F(Stranded, ALandingAboveTheHeightThatLetsItGoIsToldHowHighThatHasToBe) {
+  const auto landing = [](const std::string& limit) {
+    return "spec high;\n" + a_quad +
+           "controller down : safe for Quad = land to 10 m speed 0.8 m/s;\n"
+           "monitor m for r : Quad { \"R1\" always r.position.z <= 25 m; recover down; "
+           "return when r.position.z <= " +
+           limit + "; }\ndecision fly for Quad { advanced policy; period 50 ms; priority m; }\n";
+  };
+  const std::string before = "a limit of ", after = " m in `return when` works";
+  const Outcome o = verified(landing("5 m"));
+  const std::size_t at = o.out.find(before), end = o.out.find(after);
+  ASSERT_NE(end, std::string::npos) << o.out;
+  const double works = std::stod(o.out.substr(at + before.size()));
+  expect_shown(landing("5 m"), "it ends at 10 m");
+  EXPECT_EQ(verified(landing(std::to_string(works) + " m")).status, exit_clean) << works;
+  const double beyond = std::round(950 * works) / 1000;
+  const Outcome less = verified(landing(std::to_string(beyond) + " m"));
+  EXPECT_EQ(less.status, exit_inconclusive) << less.out;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
