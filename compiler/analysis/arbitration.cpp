@@ -465,6 +465,7 @@ class Pair {
       entry_.why =
           "nothing bounds how long " + quoted(recovery_.name) + " lasts, and it takes charge";
       entry_.unending = stays_away() && waits_for_outsiders(driving_.property);
+      entry_.stands = stays_away() && stands_for_good();
       Change change;
       std::string waiting;
       for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
@@ -514,6 +515,11 @@ class Pair {
   // It takes charge wherever it ends, which need not be where that is taken up.
   [[nodiscard]] bool stays_away() const {
     return kind_.energy->idle.value > 0 && ir::last_step(recovery_).kind != ir::RecoveryKind::route;
+  }
+  // It only brakes, and need not be given back where it stands.
+  [[nodiscard]] bool stands_for_good() const {
+    return ir::last_step(recovery_).kind == ir::RecoveryKind::brake &&
+           !holds_at_rest(decision_, driving_);
   }
   // What a charge pays for: as far as a recovery leads the robot away its way home may become
   // longer, unless it ends where it is charged.

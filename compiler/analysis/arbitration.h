@@ -60,6 +60,8 @@ struct Entry {
   bool answered = false;
   // It is broken by a recovery that takes charge for as long as nobody else lets it end.
   bool unending = false;
+  // Or by one that only brakes, and may not be given back where it stands.
+  bool stands = false;
 };
 // One row for the recovery of each monitor, one column for the property of each.
 using Arbitration = std::vector<std::vector<Entry>>;

@@ -10,6 +10,7 @@
 #include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/geometry/joining.h"
@@ -636,15 +637,30 @@ Rational driven_for(const Rational& seconds, const sema::RobotKind& kind,
   return seconds * (speed + lasting_speed(kind, decision.period_us));
 }
 
+// Who brakes alone lets go at rest, if all that it brakes for is fulfilled there.
+std::optional<Ending> by_braking(const sema::RobotKind& kind, const ir::Decision& decision,
+                                 const ir::Recovery& recovery) {
+  if (ir::steps_of(recovery).size() != 1) return std::nullopt;
+  const bool lets_go = std::ranges::all_of(decision.monitors, [&](const ir::Monitor& m) {
+    return m.recovery.name != recovery.name || holds_at_rest(decision, m);
+  });
+  if (!lets_go) return std::nullopt;
+  const Stop stop = stop_of(kind, decision.period_us);
+  return Ending{stop.seconds, stop.metres};
+}
+
 }  // namespace
 
 std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& module,
                                 const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);
-  if (!ir::moves(last.kind) || last.kind == ir::RecoveryKind::yield) return std::nullopt;
+  const bool brakes = last.kind == ir::RecoveryKind::brake;
+  if (last.kind == ir::RecoveryKind::yield || !(brakes || ir::moves(last.kind)))
+    return std::nullopt;
   const bool legs = decision.body.in_space && last.kind != ir::RecoveryKind::route;
-  std::optional<Ending> end =
-      legs ? by_legs(kind, module, decision, last) : by_cells(kind, module, decision, last);
+  std::optional<Ending> end = brakes ? by_braking(kind, decision, recovery)
+                              : legs ? by_legs(kind, module, decision, last)
+                                     : by_cells(kind, module, decision, last);
   if (!end) return std::nullopt;
   for (const ir::Recovery& step : recovery.steps) {
     if (step.lasts_us == 0) continue;  // the last one

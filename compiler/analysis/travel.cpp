@@ -192,6 +192,14 @@ Rational rests_seconds(const sema::RobotKind& kind, const Rational& period, cons
 
 }  // namespace
 
+Stop stop_of(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational period = seconds_of(period_us);
+  const Rational speed = kind.motion.speed.value;
+  const Rational late = delay(kind, period) + seconds_of(kind.velocity);
+  return {rest_seconds(kind, period) + hold_seconds(kind, period),
+          speed * late + speed * speed / (2 * braking(kind))};
+}
+
 Rational pushed_speed(const sema::RobotKind& kind, std::int64_t period_us) {
   const Rational period = seconds_of(period_us);
   return disturbance_of(kind) * settling(kind, period);

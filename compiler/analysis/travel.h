@@ -65,6 +65,12 @@ Rational travel_seconds(const sema::RobotKind& kind, const Rational& speed, std:
 // before it sets out is one, and the end another.
 Rational few_legs_seconds(const sema::RobotKind& kind, const Rational& speed,
                           std::int64_t period_us, int legs, int rests, std::int64_t distance_mm);
+// From full speed until a brake has it at rest, which it knows, and whose hold has settled: upper
+// bounds of how long that takes, in s, and how far it drives, in m.
+struct Stop {
+  Rational seconds, metres;
+};
+Stop stop_of(const sema::RobotKind& kind, std::int64_t period_us);
 // At most how fast a hold may be carried, in m/s, for a robot in space to follow it: what its
 // spring asks for beside errors stays within what pushes leave of the brake. Beyond, it falls
 // behind, and drives past the ends of its legs, faster than its hold.

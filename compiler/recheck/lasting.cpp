@@ -8,6 +8,7 @@
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/numbers.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
 #include "compiler/recheck/sums.h"
@@ -279,17 +280,49 @@ std::optional<std::string> takes_too_much(const sema::Spec& spec, const sema::De
   return std::nullopt;
 }
 
+namespace {
+
+// Who brakes alone is given back at rest, whatever it brakes for.
+std::optional<Doubt> check_stopping(const sema::Spec& spec, const sema::Decision& decision,
+                                    Claims& claims, const sema::Monitor& monitor,
+                                    const Rational& held, const Rational& driven,
+                                    const Rational& extra) {
+  Rational after = 0;
+  for (const sema::MonitorId id : decision.priority) {
+    const sema::Monitor& m = spec[id];
+    if (m.recover != monitor.recover) continue;
+    if (!Sides(spec, decision, claims).holds_at_rest(m, extra)) {
+      return wrong("`" + m.name + "` may not be given back at rest");
+    }
+    if (auto doubt = ends(spec, decision, claims, m, 0, after)) return doubt;
+  }
+  if (spec[decision.kind].motion.brake.value <= numbers_of(spec, decision, 0).disturbance) {
+    return wrong("its brake is too weak for what pushes it");
+  }
+  const Stop stop = stop_of(spec[decision.kind], decision);
+  if (stop.metres > driven) return wrong("it may drive further");
+  if (stop.seconds + after > held) return wrong("it may last longer");
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision& decision,
                                    Claims& claims, const sema::Monitor& monitor, const Values& v) {
   const sema::RobotKind& kind = spec[decision.kind];
-  const auto said = said_of(claims, v);
   const auto held_us = number(v, "held_us"), extra_us = number(v, "extra_us");
   const auto driven_mm = number(v, "driven_mm");
-  if (!said || !held_us || !extra_us || !driven_mm) return wrong("a number is missing");
+  if (!held_us || !extra_us || !driven_mm) return wrong("a number is missing");
   if (!kind.energy) return wrong("no charge is declared");
   const Rational held = micro(*held_us);
   if (held > kind.energy->held.value) return wrong("it lasts longer than `held`");
   const std::vector<sema::Template> steps = sema::templates_of(spec[*monitor.recover]);
+  if (steps.size() == 1 && std::holds_alternative<sema::BrakeAndHold>(steps.front())) {
+    return check_stopping(spec, decision, claims, monitor, held, milli(*driven_mm),
+                          micro(*extra_us));
+  }
+  const auto said = said_of(claims, v);
+  if (!said) return wrong("a number is missing");
   const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
   if (!moves || moves->zone != said->zone || std::holds_alternative<sema::Yield>(steps.back())) {
     return wrong("the recovery stands, waits for others, or moves elsewhere");

@@ -83,6 +83,11 @@ class Travel {
     const Rational late = acts_ + oldest(kind_.velocity);
     return speed_ * late + speed_ * speed_ / (2 * planned());
   }
+  [[nodiscard]] Rational stop_seconds() const { return rest() + hold_settles(); }
+  [[nodiscard]] Rational stop() const {
+    const Rational speed = kind_.motion.speed.value;
+    return speed * (delay_ + oldest(kind_.velocity)) + speed * speed / (2 * brakes_);
+  }
   [[nodiscard]] Rational run_out_seconds() const { return run_out() / slowest(); }
   [[nodiscard]] Rational fastest() const { return speed_ + taken_; }
   // Where its correction makes up for the errors of its place and velocity, of which a part r of
@@ -334,6 +339,11 @@ Rational around_seconds(const Travel& travel, const sema::Decision& decision,
 }
 
 }  // namespace
+
+Stop stop_of(const sema::RobotKind& kind, const sema::Decision& decision) {
+  const Travel travel(kind, decision, 0);
+  return {travel.stop_seconds() + seen_for(decision), travel.stop()};
+}
 
 std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                     const sema::Controller& recovery, const Rational& leg) {

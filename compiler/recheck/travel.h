@@ -15,6 +15,11 @@ Rational joined_way(const Rational& way, const Rational& cell);
 std::optional<Rational> return_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                        const sema::Controller& recovery, const Rational& cell,
                                        const Rational& way);
+// The same of one that brakes alone, and how far it drives meanwhile, in m.
+struct Stop {
+  Rational seconds, metres;
+};
+Stop stop_of(const sema::RobotKind& kind, const sema::Decision& decision);
 // The same of a retreat that takes one leg, no longer than `leg`.
 std::optional<Rational> leg_seconds(const sema::RobotKind& kind, const sema::Decision& decision,
                                     const sema::Controller& recovery, const Rational& leg);

@@ -353,6 +353,10 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
                  " engaged for as long as a battery lasts makes " + quoted(j.name) + " fail";
     o.unending = true;
   }
+  if (entry.stands && !entry.unending) {
+    o.because += ": where it stands " + quoted(i.name) + " may not give control back";
+    o.unending = true;
+  }
   const bool of_inputs = atoms_of(i.property).only_facts();
   if (of_inputs) o.unmet = i.name;
   if (o.unending) return o;
