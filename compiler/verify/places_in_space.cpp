@@ -276,16 +276,6 @@ Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs) 
   return o;
 }
 
-Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
-                      std::vector<Start> starts) {
-  const auto [dx, dy, up] = analysis::extent_of(s.module, s.module[last.zone]);
-  o.status = Status::refuted;
-  o.by_a_run = true;
-  o.starts = std::move(starts);
-  o.patience_s += 2 * (dx + dy + up) / std::max<std::int64_t>(1, last.speed_mmps);
-  return o;
-}
-
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
                      const ir::Block& block, const ir::AtLeast& limit) {
   if (!ir::moves(last.kind) || !s.module[last.zone].has_height()) return false;

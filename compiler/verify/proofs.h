@@ -94,8 +94,8 @@ std::vector<Start> starts_of_take_over_in_space(const Subject& s, std::size_t dr
                                                 std::size_t judged);
 // From where the recovery of a monitor leads nowhere, and control is not given back.
 std::vector<Start> starts_stranded_in_space(const Subject& s, std::size_t k);
-// Refuted if a run that begins there is not given back for as long as legs take, at least, that are
-// as long as the zone of the recovery is wide, deep and high.
+// Refuted if a run that begins there is not given back for half as long again as its legs take that
+// lead to the farthest place of the zone of the recovery.
 Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
                       std::vector<Start> starts);
 // From where robots may wait for each other for ever, one of them by `yield`, each of those places

@@ -164,4 +164,24 @@ std::vector<Start> starts_stranded_in_space(const Subject& s, std::size_t k) {
   return Stranded(s, k).run();
 }
 
+// Up or down and then level, it is led to no place that is farther than the farthest one.
+Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
+                      std::vector<Start> starts) {
+  P low{-endless_mm, -endless_mm}, high{endless_mm, endless_mm};
+  double floor = -endless_mm, ceiling = endless_mm, farthest = 0;
+  Volume(s, last.zone).narrow(low, high, floor, ceiling);
+  for (const Start& start : starts) {
+    const P at{double(start.place_mm[0]), double(start.place_mm[1])};
+    for (const P& corner : {low, high, P{low.x, high.y}, P{high.x, low.y}}) {
+      farthest = std::max(farthest, norm(corner - at));
+    }
+  }
+  if (s.module[last.zone].has_height()) farthest += ceiling - floor;
+  o.status = Status::refuted;
+  o.by_a_run = true;
+  o.starts = std::move(starts);
+  o.patience_s += std::llround(1.5 * farthest) / std::max<std::int64_t>(1, last.speed_mmps);
+  return o;
+}
+
 }  // namespace rtac::verify
