@@ -519,7 +519,7 @@ class Pair {
   // It only brakes, and need not be given back where it stands.
   [[nodiscard]] bool stands_for_good() const {
     return ir::last_step(recovery_).kind == ir::RecoveryKind::brake &&
-           !holds_at_rest(decision_, driving_);
+           !holds_in_hold(decision_, driving_);
   }
   // What a charge pays for: as far as a recovery leads the robot away its way home may become
   // longer, unless it ends where it is charged.

@@ -64,7 +64,7 @@ class Writer {
     ZoneExprPtr all, without, rest;  // `rest`: of the plane
     for (const DeclaredPart& part : parts) {
       if (part.layer) {
-        if (part.layer->box != Box()) join(all, ZoneOp::intersect, prism(*part.layer));
+        if (part.layer->box) join(all, ZoneOp::intersect, prism(*part.layer));
         continue;
       }
       const auto hole = part.either.size() == 1 ? outside_of(part.either[0]) : std::nullopt;
@@ -85,6 +85,7 @@ class Writer {
       some = offset(std::move(some), -part.off_mm);
       join(all, ZoneOp::intersect, flat ? as_high(std::move(some)) : std::move(some));
     }
+    if (!all && rest && have_height(parts)) all = as_high(std::move(rest));
     if (!all) return rest;
     if (without) join(all, ZoneOp::subtract, std::move(without));
     return all;
@@ -102,7 +103,7 @@ class Writer {
     return by_mm == 0 ? std::move(of) : make(sema::ZoneOffset{std::move(of), metres_of(by_mm)});
   }
   [[nodiscard]] ZoneExprPtr prism(const Layer& layer) const {
-    return make(sema::ZonePrism{make(rectangle(layer.box)), metres_of(layer.floor_mm),
+    return make(sema::ZonePrism{make(rectangle(*layer.box)), metres_of(layer.floor_mm),
                                 metres_of(layer.ceiling_mm)});
   }
   void join(ZoneExprPtr& to, ZoneOp op, ZoneExprPtr more) const {
@@ -159,8 +160,8 @@ std::optional<Layer> layer_around(const geometry::Solid& solid) {
       }
     }
   }
-  return Layer{{floor_to_int(std::ranges::min(xs)), floor_to_int(std::ranges::min(ys)),
-                ceil_to_int(std::ranges::max(xs)), ceil_to_int(std::ranges::max(ys))},
+  return Layer{Box{floor_to_int(std::ranges::min(xs)), floor_to_int(std::ranges::min(ys)),
+                   ceil_to_int(std::ranges::max(xs)), ceil_to_int(std::ranges::max(ys))},
                floor_to_int(Rational(solid.slabs().front().floor * 1000)),
                ceil_to_int(Rational(solid.slabs().back().ceiling * 1000))};
 }

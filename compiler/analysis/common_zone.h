@@ -14,9 +14,9 @@
 
 namespace rtac::analysis {
 
-// What is above or below a box, between two heights. A box of no size: above or below anything.
+// What is above or below a box, or anything, between two heights.
 struct Layer {
-  Box box;
+  std::optional<Box> box;
   std::int64_t floor_mm = 0, ceiling_mm = 0;
   bool operator==(const Layer&) const = default;
 };

@@ -642,7 +642,7 @@ std::optional<Ending> by_braking(const sema::RobotKind& kind, const ir::Decision
                                  const ir::Recovery& recovery) {
   if (ir::steps_of(recovery).size() != 1) return std::nullopt;
   const bool lets_go = std::ranges::all_of(decision.monitors, [&](const ir::Monitor& m) {
-    return m.recovery.name != recovery.name || holds_at_rest(decision, m);
+    return m.recovery.name != recovery.name || holds_in_hold(decision, m);
   });
   if (!lets_go) return std::nullopt;
   const Stop stop = stop_of(kind, decision.period_us);

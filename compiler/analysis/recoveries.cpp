@@ -150,7 +150,7 @@ class Recoveries {
   // It is slow enough there, and would not be as soon as it was given back.
   void waits_slow(bool yields) {
     const std::int64_t from_rest_mmps =
-        fastest_from_rest(decision_, monitor_.lookahead.duration_us);
+        fastest_from_hold(decision_, monitor_.lookahead.duration_us);
     diag::Diagnostic d = finding(
         Code::recovery_stands,
         "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
@@ -169,7 +169,7 @@ class Recoveries {
             : "";
     const auto numbers = repairs(decided_, trials_, fault_of(d.code, d.range), [&](const Trial& t) {
       const std::int64_t ahead_us = lookahead_us(spec_, written_, t.decision.period_us);
-      return fastest_from_rest(t.decision, ahead_us) <= least_limit_mmps(monitor_.property);
+      return fastest_from_hold(t.decision, ahead_us) <= least_limit_mmps(monitor_.property);
     });
     d.help = (numbers.empty() ? "" : joined(numbers) + " works, or ") + limits + leads +
              "`hold when violated \"why\";` in the monitor" +

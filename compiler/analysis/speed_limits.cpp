@@ -147,7 +147,7 @@ class Limits {
   }
 
   void report_no_return(const Limit& limit) {
-    std::int64_t works_mmps = need_mmps_;
+    std::int64_t works_mmps = fastest_from_hold(decision_, monitor_.lookahead.duration_us);
     for (std::size_t k = 0; k < decision_.monitors.size(); ++k) {
       const std::string& name = decision_.monitors[k].recovery.name;
       if (ir::acknowledged(decision_, name, monitor_.name)) continue;
@@ -155,7 +155,7 @@ class Limits {
     }
     const auto others = repairs(of_.written, of_.trials, fault(limit), [&](const Trial& t) {
       const std::int64_t ahead_us = lookahead_us(of_.spec, written_, t.decision.period_us);
-      return fastest_from_rest(t.decision, ahead_us) <= limit.most_mmps;
+      return fastest_from_hold(t.decision, ahead_us) <= limit.most_mmps;
     });
     // at the declared speed it would find nothing (7004)
     const auto higher = limit_that_works(limit, works_mmps);
@@ -289,8 +289,19 @@ bool keeps_speed_limits(const Decided& of, std::size_t driving, std::size_t judg
   return Limits(of, judged).kept_by(driving);
 }
 
-// It is measured to have the error of the velocity, which counts once more, and each component lies
-// on the grid.
+namespace {
+
+// How fast a point mass may be that holds its place: pushes and errors that turn around keep it
+// moving. Wheels stand.
+std::int64_t holding_mmps(const ir::Decision& decision) {
+  const ir::Body& b = decision.body;
+  return b.brake_late_ms == 0 ? 0 : hold_speed_mmps(b, decision.period_us);
+}
+
+}  // namespace
+
+// It is measured to have the error of the velocity more than it has, which counts once more, and
+// each component lies on the grid.
 std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us) {
   constexpr std::int64_t grid_mmps = 4;
   const ir::Body& body = decision.body;
@@ -304,6 +315,11 @@ std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookah
   return std::min(decision.motions[0].speed_mmps, mmps);
 }
 
+std::int64_t fastest_from_hold(const ir::Decision& decision, std::int64_t lookahead_us) {
+  return std::min(decision.motions[0].speed_mmps,
+                  holding_mmps(decision) + fastest_from_rest(decision, lookahead_us));
+}
+
 std::string from_rest_text(const sema::RobotKind& kind, std::int64_t mmps) {
   const std::string until = speed_text(mmps) + " before a recovery acts";
   if (!kind.motion.turn) return "from rest the robot may reach " + until;
@@ -313,10 +329,8 @@ std::string from_rest_text(const sema::RobotKind& kind, std::int64_t mmps) {
 
 std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) {
   const std::int64_t declared_mmps = decision.motions[0].speed_mmps;
-  const ir::Body& b = decision.body;
   const std::int64_t mmps = decision.motions[k + 1].speed_mmps;
-  const std::int64_t holds_mmps = b.brake_late_ms == 0 ? 0 : hold_speed_mmps(b, decision.period_us);
-  return std::min(declared_mmps, std::max(mmps, holds_mmps));
+  return std::min(declared_mmps, std::max(mmps, holding_mmps(decision)));
 }
 
 namespace {
@@ -342,6 +356,11 @@ bool asks_for_no_more_than(std::int64_t mmps, const ir::Block& block, ir::ValueI
 
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
   const std::int64_t mmps = fastest_from_rest(decision, monitor.lookahead.duration_us);
+  return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
+}
+
+bool holds_in_hold(const ir::Decision& decision, const ir::Monitor& monitor) {
+  const std::int64_t mmps = fastest_from_hold(decision, monitor.lookahead.duration_us);
   return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
 }
 

@@ -13,6 +13,10 @@ namespace rtac::analysis {
 // where a limit of speed is no lower.
 std::int64_t fastest_from_rest(const ir::Decision& decision, std::int64_t lookahead_us);
 
+// The same of a point mass that holds its place, which pushes and errors that turn around keep
+// moving: it is surely given back below no less.
+std::int64_t fastest_from_hold(const ir::Decision& decision, std::int64_t lookahead_us);
+
 // What is said of that, in mm/s. The look-ahead bounds changes of the velocity alone: of wheels,
 // each of which is a turn or a change of the speed, that is more than they can speed up by.
 std::string from_rest_text(const sema::RobotKind& kind, std::int64_t mmps);
@@ -24,6 +28,9 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
 // Whether a robot that has come to rest fulfils the property of a monitor wherever it is, and is
 // given back: as it asks for no more than to be slow, or one side of its `or` does.
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
+
+// The same whatever keeps it moving while it holds its place.
+bool holds_in_hold(const ir::Decision& decision, const ir::Monitor& monitor);
 
 // Whether it fulfils the property of `monitor` wherever it is while the recovery of monitor `k`
 // drives, and is given back wherever that has come to rest.

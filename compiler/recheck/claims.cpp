@@ -170,10 +170,15 @@ Found Claims::limits(const Values& v) {
   if (micro(*jitter) < jitter_of(spec_, *d)) return wrong("jitter_us is too small");
   if (micro(*jitter - 1) >= jitter_of(spec_, *d)) return wrong("jitter_us is too large");
   const Numbers n = numbers_of(spec_, *d, micro(*jitter));
+  // a body that is rounded up is that much nearer than it is measured to be
+  const Rational rounded =
+      spec_[d->kind].position
+          ? Rational(Rational(ceil_to_int(Rational(n.radius * 1000))) / 1000 - n.radius)
+          : Rational(0);
   enum class Is { declared, derived };  // what is derived is a bound, which may be wider
   const std::tuple<const char*, Rational, int, Is> least[] = {
       {"radius_mm", n.radius, 1000, Is::declared},
-      {"position_error_mm", n.position_error, 1000, Is::declared},
+      {"position_error_mm", n.position_error + rounded, 1000, Is::declared},
       {"velocity_error_mmps", n.velocity_error, 1000, Is::declared},
       {"position_age_us", n.position_age, 1'000'000, Is::declared},
       {"velocity_age_us", n.velocity_age, 1'000'000, Is::declared},
@@ -196,7 +201,11 @@ Found Claims::limits(const Values& v) {
   if (!accel || *accel < 0 || milli(*accel) * milli(*accel) < n.accel_square) {
     return wrong("accel_mmps2 is less than the robot may accelerate");
   }
-  if (*accel > 0 && milli(*accel - 1) * milli(*accel - 1) >= n.accel_square) {
+  // of wheels it is made of what has been rounded up before
+  const sema::Motion& motion = spec_[d->kind].motion;
+  const Rational turns = motion.turn ? motion.turn->value + n.speed + 3 : Rational(0);
+  const Rational most = milli(*accel) - (1 + turns) / 1000;
+  if (most > 0 && most * most >= n.accel_square) {
     return wrong("accel_mmps2 is more than the robot may accelerate");
   }
   if (!brake || milli(*brake) > n.brake) return wrong("brake_mmps2 is more than is declared");
@@ -214,7 +223,7 @@ Found Claims::horizon(const Values& v) {
   const sema::RobotKind& kind = spec_[d->kind];
   const Rational least = least_ahead(spec_, *d, *m);
   const Rational looks = m->ahead.duration ? m->ahead.duration->value : least;
-  if (micro(*ahead) > looks) {
+  if (micro(*ahead - 1) >= looks) {
     return wrong("it looks less far ahead than " + std::to_string(*ahead) + " us");
   }
   if (micro(*ahead + 1) <= looks) {

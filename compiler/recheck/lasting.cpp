@@ -291,7 +291,7 @@ std::optional<Doubt> check_stopping(const sema::Spec& spec, const sema::Decision
   for (const sema::MonitorId id : decision.priority) {
     const sema::Monitor& m = spec[id];
     if (m.recover != monitor.recover) continue;
-    if (!Sides(spec, decision, claims).holds_at_rest(m, extra)) {
+    if (!Sides(spec, decision, claims).holds_in_hold(m, extra)) {
       return wrong("`" + m.name + "` may not be given back at rest");
     }
     if (auto doubt = ends(spec, decision, claims, m, 0, after)) return doubt;

@@ -362,6 +362,10 @@ bool Sides::holds_at_rest(const sema::Monitor& m, const Rational& extra) {
   return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_rest);
 }
 
+bool Sides::holds_in_hold(const sema::Monitor& m, const Rational& extra) {
+  return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_hold);
+}
+
 bool Sides::holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra) {
   return slow(plain({&part, true}), rests_of(m, extra).from_rest);
 }
@@ -372,7 +376,7 @@ bool Sides::is_exceeded_at_rest(const sema::Expr& part, const sema::Monitor& m,
 }
 
 Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) const {
-  Rests rests{m, std::nullopt, 0, 0};
+  Rests rests{m, std::nullopt, 0, 0, 0};
   if (m.recover) {
     const auto within = moves_within(spec_[*m.recover]);
     const auto steps = sema::templates_of(spec_[*m.recover]);
@@ -389,6 +393,8 @@ Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) cons
       numbers_.unicycle ? interp::square_root(numbers_.accel_square).below : numbers_.accel;
   rests.from_rest =
       std::min(numbers_.speed, Rational(2 * numbers_.velocity_error + accel * horizon));
+  // pushes and errors that turn around keep who holds a place moving
+  rests.from_hold = std::min(numbers_.speed, Rational(rests.from_rest + numbers_.stands));
   rests.clearance = claims_.return_clearance(decision_, m, extra);
   return rests;
 }
@@ -411,7 +417,7 @@ Sides::Back Sides::back(const Rests& rests, const Part& part, bool either) {
     return Back::yes;
   }
   const bool slow_enough = std::ranges::any_of(
-      parts.parts, [&](const Part& each) { return slow(each, rests.from_rest); });
+      parts.parts, [&](const Part& each) { return slow(each, rests.from_hold); });
   if (slow_enough) return Back::yes;
   // what is told may keep its own side from holding for ever
   if (speaks_of_inputs(part) ? !some(Back::no) : some(Back::yes)) {
@@ -444,7 +450,7 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   }
   if (sema::speaks_of<sema::CountOthers>(*part.expr) && robots_ > 1) return Back::no;
   if (const auto most = most_speed(spec_, *part.expr, part.value)) {
-    return rests.from_rest <= most->bound ? Back::yes : Back::slow;
+    return rests.from_hold <= most->bound ? Back::yes : Back::slow;
   }
   if (sema::speaks_of_speed(*part.expr)) return Back::no;  // no limit: not known at rest
   const bool high = sema::speaks_of_height(*part.expr);

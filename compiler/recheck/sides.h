@@ -42,7 +42,9 @@ class Sides {
   bool gives_back(const sema::Monitor& m, const Rational& extra);
   // The same wherever it has come to rest, and whatever others do.
   bool holds_at_rest(const sema::Monitor& m, const Rational& extra);
-  // The same of a part of what it says.
+  // The same whatever keeps it moving there.
+  bool holds_in_hold(const sema::Monitor& m, const Rational& extra);
+  // The same as at rest of a part of what it says.
   bool holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
   // That this is a limit of speed that a robot at rest is seen to exceed, as far as it looks ahead.
   bool is_exceeded_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
@@ -100,7 +102,7 @@ class Sides {
   struct Rests {
     const sema::Monitor& monitor;
     std::optional<sema::ZoneId> own;
-    Rational clearance, from_rest;
+    Rational clearance, from_rest, from_hold;
   };
   [[nodiscard]] Rests rests_of(const sema::Monitor& m, const Rational& extra) const;
   Back back(const Rests& rests, const Part& part, bool either);

@@ -416,7 +416,7 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     // which say nothing of when that is
     if (analysis::waits_for_inputs(m.property)) {
       ways.because += ", as soon as what " + quoted(m.name) +
-                      " asks of inputs and of the ages of " + "samples is so";
+                      " asks of inputs and of the ages of samples is so";
     }
     return returned_at_rest(s, k, std::move(ways));
   }
@@ -439,6 +439,10 @@ Obligation control_returns(const Subject& s, std::size_t k) {
     return told_at_once(s, k, by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b))));
   });
   o.patience_s += analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
+  if (const auto most = analysis::return_seconds(s.kind, s.module, s.decision, m.recovery)) {
+    o.patience_s = std::max(o.patience_s, ceil_to_int(*most));
+  }
+  o.patience_s += ceil_to_int(Rational(static_cast<long>(m.returns.after_us), 1'000'000));
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
     o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full
   }

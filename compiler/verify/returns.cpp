@@ -29,7 +29,7 @@ class Rest {
         monitor_(s.decision.monitors[k]),
         last_(ir::last_step(monitor_.recovery)),
         return_mm_(analysis::return_clearance_mm(s.decision, monitor_.lookahead.duration_us)),
-        from_rest_mmps_(analysis::fastest_from_rest(s.decision, monitor_.lookahead.duration_us)) {}
+        from_rest_mmps_(analysis::fastest_from_hold(s.decision, monitor_.lookahead.duration_us)) {}
 
   AtRest judge() { return judge(monitor_.property, monitor_.property.result, false); }
   [[nodiscard]] bool by_others() const { return others_; }
@@ -257,22 +257,27 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   }
   o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +
               quoted(m.name) + " says, is not shown";
+  const std::int64_t mmps = analysis::fastest_from_hold(s.decision, m.lookahead.duration_us);
+  const bool may_be_slower = mmps < s.decision.motions.front().speed_mmps;
+  const std::string slowest = to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s";
+  if (found == AtRest::slow && may_be_slower) {
+    o.because += ": at rest it may be taken for one of " + slowest;
+    o.repair = "a limit of " + slowest + " lets a robot at rest go";
+  }
   if (!s.is_read) return o;  // nobody looks for a run
   if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
   // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
-  const std::int64_t mmps = analysis::fastest_from_rest(s.decision, m.lookahead.duration_us);
   if (analysis::least_limit_mmps(m.property) >= mmps) return o;
   o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
   if (!o.place_mm) return o;
   o.status = Status::refuted;
   o.method = by_geometry;
   o.by_a_run = true;
-  const Rational from_rest(static_cast<long>(mmps), 1000);
-  o.because = "a robot at rest may be taken for one of " + to_decimal(from_rest) + " m/s, and " +
-              quoted(m.name) + " lets none go that may be faster than its limit";
+  o.because = "a robot at rest may be taken for one of " + slowest + ", and " + quoted(m.name) +
+              " lets none go that may be faster than its limit";
   // as fast as it may ever be no limit says anything
-  o.repair = mmps < s.decision.motions.front().speed_mmps
-                 ? "a limit of " + to_decimal(from_rest) + " m/s lets a robot at rest go"
+  o.repair = may_be_slower
+                 ? "a limit of " + slowest + " lets a robot at rest go"
                  : "a shorter `ahead`, less latency or fresher samples are needed: at rest it is "
                    "taken for one at its greatest speed";
   return o;

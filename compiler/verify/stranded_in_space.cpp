@@ -66,9 +66,11 @@ class Stranded {
       for (const At& other : from) least = std::min(least, norm(other.p - at.p));
       return least;
     };
-    std::ranges::stable_sort(stranded, std::greater(), [&](const At& at) { return away(led, at); });
+    std::vector<std::pair<double, At>> by_distance;
+    for (const At& at : stranded) by_distance.emplace_back(away(led, at), at);
+    std::ranges::stable_sort(by_distance, std::greater(), &std::pair<double, At>::first);
     std::vector<At> found;
-    for (const At& at : stranded) {
+    for (const auto& [distance, at] : by_distance) {
       if (away(found, at) >= apart_mm && found.size() < starts_most) found.push_back(at);
     }
     std::vector<Start> starts;
@@ -178,6 +180,7 @@ Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
   }
   if (s.module[last.zone].has_height()) farthest += ceiling - floor;
   o.status = Status::refuted;
+  o.method = "straight legs";
   o.by_a_run = true;
   o.starts = std::move(starts);
   o.patience_s += std::llround(1.5 * farthest) / std::max<std::int64_t>(1, last.speed_mmps);
