@@ -30,6 +30,7 @@ using diag::Code;
 // A part of fewer cells is a notch: whoever has stopped in it sees what lies beside it.
 constexpr std::int64_t stranded_cells_least = 4;
 using Places = std::vector<ir::SiteTable::Place>;
+constexpr const char* kept_moving = "may be kept moving where it holds its place";
 
 class Recoveries {
  public:
@@ -97,7 +98,7 @@ class Recoveries {
         last == ir::RecoveryKind::brake || (last == ir::RecoveryKind::land && !asks.only_lower);
     // who yields has braked first, and moves for others alone
     const bool brakes = last == ir::RecoveryKind::brake || last == ir::RecoveryKind::yield;
-    const bool at_rest = brakes && holds_at_rest(decision_, monitor_);
+    const bool at_rest = brakes && holds_in_hold(decision_, monitor_);
     if (at_rest && !written_.hold_reason) return;
     const bool stays = (asks.clearance || asks.distance) && stands && !at_rest;
     const bool waits = asks.clearance && last == ir::RecoveryKind::yield;
@@ -155,7 +156,8 @@ class Recoveries {
         Code::recovery_stands,
         "`" + controller_.name + "` " + (yields ? "makes way for robots alone" : "only stands") +
             ": where `" + monitor_.name + "` asks it to be slow, it may never be given back");
-    d.label = "does not lead to where it may be faster";
+    d.label = holds_at_rest(decision_, monitor_) ? kept_moving
+                                                 : "does not lead to where it may be faster";
     d.notes.push_back({std::nullopt, from_rest_text(spec_[controller_.kind], from_rest_mmps)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
     const bool received = ir::asks_for_received(monitor_.property);
@@ -532,6 +534,10 @@ class Recoveries {
 };
 
 }  // namespace
+
+bool stands_near_its_limit(const diag::Diagnostic& report) {
+  return report.code == Code::recovery_stands && report.label == kept_moving;
+}
 
 void check_recoveries(const sema::Spec& spec, const ir::Module& module, const ExactZone& exact,
                       const ExactSolid& solid, const HowItLies& lies, Trials* trials, bool remarks,

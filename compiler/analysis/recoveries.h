@@ -19,4 +19,8 @@ void check_recoveries(const sema::Spec& spec, const ir::Module& module, const Ex
                       const ExactSolid& solid, const HowItLies& lies, Trials* trials, bool remarks,
                       diag::Engine& diagnostics);
 
+// Of who stands and may never be given back (5017): it is at rest, and not while pushes and errors
+// that turn around keep it moving.
+bool stands_near_its_limit(const diag::Diagnostic& report);
+
 }  // namespace rtac::analysis

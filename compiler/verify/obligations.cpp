@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/analysis/joint_return.h"
+#include "compiler/analysis/recoveries.h"
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/windows.h"
@@ -196,7 +197,7 @@ std::optional<Kind> refuted_by(const diag::Diagnostic& d) {
 bool takes_a_run(const diag::Diagnostic& d) {
   return d.code == Code::recovery_elsewhere || d.code == Code::others_unkept ||
          d.code == Code::window_may_pass || analysis::ends_near_window(d) ||
-         analysis::lands_near_the_limit(d) ||
+         analysis::lands_near_the_limit(d) || analysis::stands_near_its_limit(d) ||
          (d.code == Code::speed_limit_unkept && !analysis::is_too_fast_at_rest(d));
 }
 

@@ -326,10 +326,10 @@ TEST(Recoveries, WhoStandsIsSlowEnoughAndNotGivenBack) {
   const auto c = compiled(text_of(slow));
   const std::string said = reports(*c);
   EXPECT_NE(said.find("asks it to be slow, it may never be given back"), std::string::npos) << said;
-  EXPECT_NE(said.find("limits of at least 0.269 m/s work"), std::string::npos) << said;
-  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.269 m/s";
+  EXPECT_NE(said.find("limits of at least 0.338 m/s work"), std::string::npos) << said;
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.338 m/s";
   EXPECT_EQ(codes(slow), Codes{});
-  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.268 m/s";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.337 m/s";
   EXPECT_EQ(codes(slow), Codes{5017});
 }
 
@@ -338,18 +338,18 @@ TEST(Recoveries, WhoStandsIsSlowEnoughAndNotGivenBack) {
 TEST(Recoveries, WhoYieldsIsSlowEnough) {
   Text slow{"yield within room speed 0.1 m/s order id"};
   slow.zones = "zone plants = rectangle (1 m, 1 m) to (2 m, 2 m);";
-  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.269 m/s";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.338 m/s";
   EXPECT_EQ(codes(slow), Codes{});
   slow.clauses = "hold when violated \"why\";";
   EXPECT_EQ(codes(slow), Codes{});
   slow.clauses = "";
-  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.268 m/s";
+  slow.property = "distance(d, plants) >= 30 cm or d.speed <= 0.337 m/s";
   const std::string said = reports(*compiled(text_of(slow)));
   EXPECT_NE(said.find("`rec` makes way for robots alone: where `walls` asks it to be slow, it "
                       "may never be given back"),
             std::string::npos)
       << said;
-  slow.property = "d inside room and d.speed <= 0.269 m/s";
+  slow.property = "d inside room and d.speed <= 0.338 m/s";
   EXPECT_EQ(codes(slow), Codes{5017});
 }
 

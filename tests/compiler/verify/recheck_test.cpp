@@ -670,5 +670,42 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
+// Numbers off the grid of the kernel are rounded to the safe side, and are those of the page.
+TEST_F(Recheck, NumbersOffTheGridAreThoseOfThePage) {
+  const auto page = [](const std::string& radius, const std::string& motion,
+                       const std::string& error, const std::string& period) {
+    const bool wheels = motion.find("turn") != std::string::npos;
+    return "spec odd;\nzone hall = rectangle (0 m, 0 m) to (14 m, 12 m);\nrobot Bot {\n  body "
+           "radius " +
+           radius + ";\n  motion " + motion + "\n  sense position : point error " + error +
+           " max_age 66.66667 ms;\n  sense heading : angle error 2 deg max_age 50 ms;\n"
+           "  sense velocity : vector error 1.3 cm/s max_age 33.33333 ms;\n  output drive : " +
+           (wheels ? "twist" : "acceleration") +
+           ";\n  latency 12.3456 ms;\n}\nfleet b : Bot;\n"
+           "controller ai : advanced for Bot extern;\n"
+           "controller back : safe for Bot = retreat within hall speed 0.3 m/s;\n"
+           "monitor m for x : Bot { \"R\" always x inside hall; recover back; }\n"
+           "decision go for Bot { advanced ai; period " +
+           period + "; priority m; }\n";
+  };
+  const std::string point =
+      "point { speed <= 0.9333 m/s; accel <= 1.1117 m/s^2; brake >= 1.2345 m/s^2; }";
+  const auto wheels = [](const std::string& speed, const std::string& turn) {
+    return "unicycle { speed <= " + speed + "; turn <= " + turn +
+           "; accel <= 1 m/s^2; brake >= 1 m/s^2; turn_accel <= 10 rad/s^2; }";
+  };
+  for (const auto& [radius, motion, error, period] :
+       {std::tuple(std::string("30.5 mm"), point, "2 cm", "50 ms"),
+        std::tuple(std::string("0.1234 m"), point, "0.7 mm", "17 ms"),
+        std::tuple(std::string("12.34 cm"), wheels("1 m/s", "60 deg/s"), "2 cm", "50 ms"),
+        std::tuple(std::string("20 cm"), wheels("0.9333 m/s", "1.0471 rad/s"), "2 cm", "20 ms"),
+        std::tuple(std::string("0.3333 m"), wheels("1 m/s", "2 rad/s"), "33.3 mm", "50 ms")}) {
+    const Outcome o = verified(page(radius, motion, error, period), {"-o", "odd"});
+    ASSERT_EQ(o.status, exit_clean) << radius << motion << o.out << o.err;
+    const Outcome again = rtac({"verify", "--recheck", "odd"});
+    EXPECT_EQ(again.status, exit_clean) << radius << motion << again.out;
+  }
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

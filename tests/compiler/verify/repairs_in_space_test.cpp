@@ -122,5 +122,21 @@ TEST_F(RepairsInSpace, AZoneUpToALimitOfHeightIsOffered) {
   }
 }
 
+// Of a zone without an end, too, whose rest of the plane is as high as the limit.
+TEST_F(RepairsInSpace, AllButAZoneOfThePlaneIsNoHigherThanALimit) {
+  const Outcome o = verified(
+      "spec pit;\nzone pit = rectangle (0 m, 0 m) to (8 m, 8 m);\n"
+      "zone free = complement(pit);\n" +
+          a_quad +
+          "controller down : safe for Quad = land to 1 m speed 0.6 m/s;\n"
+          "controller back : safe for Quad = retreat within free speed 0.8 "
+          "m/s;\nmonitor roof for r : Quad { \"R1\" always r.position.z <= "
+          "50 m; recover down; }\nmonitor off for r : Quad { \"R2\" always r "
+          "inside free; recover back; }\ndecision fly for Quad { advanced "
+          "policy; period 50 ms; priority roof > off; }\n",
+      {"--attack", "1"});
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -29,7 +29,7 @@ std::string page(const Cart& cart) {
          cart.held + "; detour <= " + cart.detour + R"(; }
 }
 fleet one : Cart;
-site home = (1 m, 1 m);
+site home = (5 m, 5 m);
 controller explore : advanced for Cart extern;
 controller stop    : safe for Cart = brake_and_hold;
 controller go_home : safe for Cart = route to home within yard speed 0.2 m/s;
@@ -155,6 +155,35 @@ TEST_F(Stopping, ALessEndIsNoticed) {
         std::tuple("held <= 20 s", "held <= 1 s", "lasts longer than `held`")}) {
     write("shown/sources/spec.rta", edited(source, from, to));
     denied(why);
+  }
+}
+
+// Pushes and errors that turn around keep a point mass moving where it holds its place: a limit
+// that it keeps at rest alone need not let it go.
+TEST_F(Stopping, WhoIsKeptMovingIsNotGivenBackAtRest) {
+  const auto windy = [](const std::string& limit) {
+    Cart cart = of_a_point_mass();
+    cart.motion =
+        "point { speed <= 1 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; disturbance <= 0.06 m/s^2; }";
+    cart.calm = "c.speed <= " + limit;
+    return page(cart);
+  };
+  const Outcome o = verified(windy("0.694 m/s"), {"--format", "json", "--attack", "1"});
+  EXPECT_EQ(statuses(o.out, "P2b", "calm"), Statuses{"unknown"}) << o.out;
+  const std::string before = "a limit of ";
+  const std::size_t at = o.out.find(before);
+  ASSERT_NE(at, std::string::npos) << o.out;
+  const double works_at = std::stod(o.out.substr(at + before.size()));
+  EXPECT_TRUE(works(windy(std::to_string(works_at) + " m/s"))) << works_at;
+  const double held_s = std::stod(lasts()["held_us"].get<std::string>()) / 1e6;
+  const std::string alone =
+      edited(windy(std::to_string(works_at) + " m/s"), "priority calm > charged", "priority calm");
+  write("spec.rta", alone);
+  for (const char* adversary : {"gusts", "unequal-samples", "wandering-samples"}) {
+    write("s.json",
+          R"({"duration_s": 120, "runs": 20, "return_within_s": )" + std::to_string(held_s) + "}");
+    const Outcome run = rtac({"sim", "spec.rta", "--scenario", "s.json", "--adversary", adversary});
+    EXPECT_EQ(run.status, exit_clean) << adversary << held_s << run.out << run.err;
   }
 }
 

@@ -80,5 +80,13 @@ TEST_F(Stranded, ALandingAboveTheHeightThatLetsItGoIsToldHowHighThatHasToBe) {
   EXPECT_EQ(less.status, exit_inconclusive) << less.out;
 }
 
+// A run waits for as long as a condition has to hold.
+TEST_F(Stranded, WhatHasToHoldForMinutesIsWaitedFor) {
+  const std::string either = "(r.position.z <= 20 m or r.position.z >= 19 m) for 5 min";
+  const Outcome o = verified(page(hall, "r inside free; recover back; return when " + either + ";"),
+                             {"--format", "json"});
+  EXPECT_EQ(statuses(o.out, "P2b", "m"), Statuses{"unknown"}) << o.out;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
