@@ -204,6 +204,35 @@ class Rest {
   std::optional<ir::ZoneIndex> high_;
 };
 
+// What is not given back for a limit of speed, and how high that has to be.
+Obligation by_its_speed(const Subject& s, const ir::Monitor& m, bool is_slow, Obligation o) {
+  const ir::Recovery& last = ir::last_step(m.recovery);
+  const std::int64_t mmps = analysis::fastest_from_hold(s.decision, m.lookahead.duration_us);
+  const bool may_be_slower = mmps < s.decision.motions.front().speed_mmps;
+  const std::string slowest = to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s";
+  if (is_slow && may_be_slower) {
+    o.because += ": at rest it may be taken for one of " + slowest;
+    o.repair = "a limit of " + slowest + " lets a robot at rest go";
+  }
+  if (!s.is_read) return o;  // nobody looks for a run
+  if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
+  // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
+  if (analysis::least_limit_mmps(m.property) >= mmps) return o;
+  o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
+  if (!o.place_mm) return o;
+  o.status = Status::refuted;
+  o.method = by_geometry;
+  o.by_a_run = true;
+  o.because = "a robot at rest may be taken for one of " + slowest + ", and " + quoted(m.name) +
+              " lets none go that may be faster than its limit";
+  // as fast as it may ever be no limit says anything
+  o.repair = may_be_slower
+                 ? "a limit of " + slowest + " lets a robot at rest go"
+                 : "a shorter `ahead`, less latency or fresher samples are needed: at rest it is "
+                   "taken for one at its greatest speed";
+  return o;
+}
+
 }  // namespace
 
 Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) {
@@ -257,30 +286,7 @@ Obligation returned_at_rest(const Subject& s, std::size_t k, Obligation proved) 
   }
   o.because = "that control is given back where " + quoted(m.recovery.name) + " has led, by what " +
               quoted(m.name) + " says, is not shown";
-  const std::int64_t mmps = analysis::fastest_from_hold(s.decision, m.lookahead.duration_us);
-  const bool may_be_slower = mmps < s.decision.motions.front().speed_mmps;
-  const std::string slowest = to_decimal(Rational(static_cast<long>(mmps), 1000)) + " m/s";
-  if (found == AtRest::slow && may_be_slower) {
-    o.because += ": at rest it may be taken for one of " + slowest;
-    o.repair = "a limit of " + slowest + " lets a robot at rest go";
-  }
-  if (!s.is_read) return o;  // nobody looks for a run
-  if (!atoms_of(m.property).speed || s.decision.body.in_space || !ir::moves(last.kind)) return o;
-  // where nothing but a limit of speed lets it go, a run may show that it is never slow enough
-  if (analysis::least_limit_mmps(m.property) >= mmps) return o;
-  o.place_mm = deep_in(centres_of(s, m, 0).intersect(s.exact(last.zone)).subtract(unlimited(s, m)));
-  if (!o.place_mm) return o;
-  o.status = Status::refuted;
-  o.method = by_geometry;
-  o.by_a_run = true;
-  o.because = "a robot at rest may be taken for one of " + slowest + ", and " + quoted(m.name) +
-              " lets none go that may be faster than its limit";
-  // as fast as it may ever be no limit says anything
-  o.repair = may_be_slower
-                 ? "a limit of " + slowest + " lets a robot at rest go"
-                 : "a shorter `ahead`, less latency or fresher samples are needed: at rest it is "
-                   "taken for one at its greatest speed";
-  return o;
+  return by_its_speed(s, m, found == AtRest::slow, std::move(o));
 }
 
 }  // namespace rtac::verify

@@ -121,8 +121,8 @@ class Stranded {
   static std::vector<P> grid(P low, P high) {
     std::vector<P> all;
     for (int n = 0; n < places_across * places_across; ++n) {
-      const P part{(n % places_across + 0.5) / places_across,
-                   (double(n / places_across) + 0.5) / places_across};
+      const int column = n % places_across, row = n / places_across;
+      const P part{(column + 0.5) / places_across, (row + 0.5) / places_across};
       all.push_back({low.x + part.x * (high.x - low.x), low.y + part.y * (high.y - low.y)});
     }
     return all;

@@ -294,7 +294,7 @@ controller stop : safe for Bot = brake_and_hold;
 controller back : safe for Bot = retreat within yard speed 0.3 m/s;
 monitor called for r : Bot { "R1" always recall implies r inside garage; recover home; )" +
            called + R"( }
-monitor gentle for r : Bot { "R2" always distance(r, kids) <= 1 m implies r.speed <= 0.5 m/s; recover stop; }
+monitor gentle for r : Bot { "R2" always distance(r, kids) <= 1 m implies r.speed <= 0.6 m/s; recover stop; }
 monitor fence  for r : Bot { "R3" always r inside yard; recover back; }
 decision drive for Bot { advanced go; period 50 ms; priority gentle > called > fence; }
 )";
