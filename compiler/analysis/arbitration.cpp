@@ -349,12 +349,9 @@ class Pair {
   // What of a zone lies within the heights that are allowed, as a box tells that is around it.
   void offer_between(ir::ZoneIndex zone, std::optional<std::int64_t> least_mm,
                      std::optional<std::int64_t> most_mm) {
-    auto layer = layer_around(solid_(zone));
-    if (!layer) return;
-    if (least_mm) layer->floor_mm = std::max(layer->floor_mm, *least_mm);
-    if (most_mm) layer->ceiling_mm = std::min(layer->ceiling_mm, *most_mm);
-    if (layer->floor_mm >= layer->ceiling_mm) return;
-    entry_.within.push_back({"", zone, {{{zone}}, {{}, 0, layer}}});
+    const auto around = layer_around(solid_(zone));
+    const auto layer = around ? between(*around, least_mm, most_mm) : std::nullopt;
+    if (layer) entry_.within.push_back({"", zone, {{{zone}}, {{}, 0, layer}}});
   }
   // Straight down from anywhere above: what is in a slab is in the one below, down to the lowest of
   // which that is so, and a landing ends above the floor of that. Whatever else is not shown.

@@ -166,6 +166,13 @@ std::optional<Layer> layer_around(const geometry::Solid& solid) {
                ceil_to_int(Rational(solid.slabs().back().ceiling * 1000))};
 }
 
+std::optional<Layer> between(Layer layer, std::optional<std::int64_t> least_mm,
+                             std::optional<std::int64_t> most_mm) {
+  if (least_mm) layer.floor_mm = std::max(layer.floor_mm, *least_mm);
+  if (most_mm) layer.ceiling_mm = std::min(layer.ceiling_mm, *most_mm);
+  return layer.floor_mm < layer.ceiling_mm ? std::optional(layer) : std::nullopt;
+}
+
 sema::ZonePolygon rectangle(const Box& box) {
   const auto corner = [](std::int64_t x_m, std::int64_t y_m) {
     return sema::Point{Rational(static_cast<long>(x_m)), Rational(static_cast<long>(y_m))};

@@ -46,6 +46,9 @@ std::string common_text(const sema::Spec& spec, const std::vector<DeclaredPart>&
 
 // The box around a solid, from its floor to its ceiling; rounded outwards. nullopt: it is empty.
 std::optional<Layer> layer_around(const geometry::Solid& solid);
+// What of a layer lies between these heights, where there are any. nullopt: nothing.
+std::optional<Layer> between(Layer layer, std::optional<std::int64_t> least_mm,
+                             std::optional<std::int64_t> most_mm);
 
 // A box as a zone.
 sema::ZonePolygon rectangle(const Box& box);

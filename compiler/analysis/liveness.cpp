@@ -655,8 +655,8 @@ std::optional<Ending> ending_of(const sema::RobotKind& kind, const ir::Module& m
                                 const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Recovery& last = ir::last_step(recovery);
   const bool brakes = last.kind == ir::RecoveryKind::brake;
-  if (last.kind == ir::RecoveryKind::yield || !(brakes || ir::moves(last.kind)))
-    return std::nullopt;
+  if (!brakes && !ir::moves(last.kind)) return std::nullopt;
+  if (last.kind == ir::RecoveryKind::yield) return std::nullopt;
   const bool legs = decision.body.in_space && last.kind != ir::RecoveryKind::route;
   std::optional<Ending> end = brakes ? by_braking(kind, decision, recovery)
                               : legs ? by_legs(kind, module, decision, last)

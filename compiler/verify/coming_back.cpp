@@ -439,9 +439,10 @@ Obligation control_returns(const Subject& s, std::size_t k) {
     return told_at_once(s, k, by_its_condition(s, k, led_back(s, k, blank(s, k, Kind::p2b))));
   });
   o.patience_s += analysis::patience_s(s.kind, s.module, s.decision, m.recovery);
-  if (const auto most = analysis::return_seconds(s.kind, s.module, s.decision, m.recovery)) {
-    o.patience_s = std::max(o.patience_s, ceil_to_int(*most));
-  }
+  const auto most = o.status == Status::refuted  // a run is to show it
+                        ? analysis::return_seconds(s.kind, s.module, s.decision, m.recovery)
+                        : std::nullopt;
+  if (most) o.patience_s = std::max(o.patience_s, ceil_to_int(*most));
   o.patience_s += ceil_to_int(Rational(static_cast<long>(m.returns.after_us), 1'000'000));
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
     o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full

@@ -78,12 +78,12 @@ std::optional<OtherZone> between_heights(const Subject& s, const ir::Monitor& le
   if (!heights.least_mm && !heights.most_mm) return std::nullopt;
   const bool tall = s.module[last.zone].has_height();
   // above the ground, if nothing else is said
-  auto layer = tall ? analysis::layer_around(s.solid(last.zone)) : analysis::Layer{};
-  if (!layer || (!tall && !heights.most_mm)) return std::nullopt;
-  if (heights.least_mm) layer->floor_mm = std::max(layer->floor_mm, *heights.least_mm);
-  if (!tall) layer->ceiling_mm = *heights.most_mm;
-  if (heights.most_mm) layer->ceiling_mm = std::min(layer->ceiling_mm, *heights.most_mm);
-  if (layer->floor_mm >= layer->ceiling_mm) return std::nullopt;
+  if (!tall && !heights.most_mm) return std::nullopt;
+  const auto around =
+      tall ? analysis::layer_around(s.solid(last.zone)) : analysis::Layer{{}, 0, *heights.most_mm};
+  const auto layer =
+      around ? analysis::between(*around, heights.least_mm, heights.most_mm) : std::nullopt;
+  if (!layer) return std::nullopt;
   std::int64_t off_mm = 0;
   for (const ir::Monitor& m : s.decision.monitors) {
     if (m.recovery.name != leads.recovery.name) continue;

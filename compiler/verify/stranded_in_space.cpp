@@ -92,8 +92,8 @@ class Stranded {
   [[nodiscard]] bool sees_nothing(const At& at) const {
     // over and below others there may be more room
     if (!level_ || own_.clear(at, clear_mm_ - surely_mm)) return false;
-    const At level{at.p,
-                   own_.inwards(at, clear_mm_).empty() ? at.z : own_.inwards(at, clear_mm_)[0].z};
+    const std::vector<At> in = own_.inwards(at, clear_mm_);
+    const At level{at.p, in.empty() ? at.z : in.front().z};
     std::vector<std::pair<double, P>> nearest;
     for (const P to : clear_places(level.z)) nearest.emplace_back(norm(to - at.p), to);
     const auto many = std::ptrdiff_t(std::min(nearest.size(), nearest_most));
@@ -127,6 +127,7 @@ class Stranded {
     }
     return all;
   }
+  // On the level that `sees_nothing` is asked of, which is one.
   [[nodiscard]] const std::vector<P>& clear_places(double z) const {
     if (places_) return *places_;
     P low{-endless_mm, -endless_mm}, high{endless_mm, endless_mm};

@@ -81,7 +81,7 @@ controller stop  : safe for Cart = brake_and_hold;
 monitor called for r : Cart { "R1: home when it is called" always not recall; recover home; }
 monitor walls for r : Cart { "R2: in" always r inside hall; recover home; }
 monitor slow for r : Cart {
-  "R3: slow beside the school" always r.speed <= 0.5 m/s or distance(r, school) >= 20 cm;
+  "R3: slow beside the school" always r.speed <= 0.6 m/s or distance(r, school) >= 20 cm;
   recover stop;
 }
 decision go for Cart { advanced pilot; period 100 ms; priority called > walls > slow; )" +
@@ -113,8 +113,8 @@ TEST_F(PastASchool, WhoIsSlowEnoughIsNotRefutedForItsWay) {
   slow = edited(
       slow, "monitor walls for r : Cart { \"R2: in\" always r inside hall; recover home; }\n", "");
   slow = edited(slow, "priority called > walls > slow", "priority called > slow");
-  slow = edited(slow, "always r.speed <= 0.5 m/s or distance(r, school) >= 20 cm",
-                "always r inside hall and (r.speed <= 0.5 m/s or distance(r, school) >= 20 cm)");
+  slow = edited(slow, "always r.speed <= 0.6 m/s or distance(r, school) >= 20 cm",
+                "always r inside hall and (r.speed <= 0.6 m/s or distance(r, school) >= 20 cm)");
   slow = edited(slow, "safe for Cart = brake_and_hold",
                 "safe for Cart = retreat within hall speed 0.4 m/s");
   const Outcome o = verified(slow, {"--format", "json"});
