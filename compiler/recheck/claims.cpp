@@ -374,8 +374,9 @@ std::optional<Rational> room_of(const sema::Spec& spec, const sema::Expr& compar
   if (!speaks_of_own_height(comparison)) return std::nullopt;
   const auto limit = limit_of_one(spec, comparison, value);
   if (!limit || limit->of.kind != Measured::Kind::altitude) return Rational(-1);
-  if (limit->at_least) return Rational(z - limit->bound);
-  return which == Heights::all ? std::optional(Rational(limit->bound - z)) : std::nullopt;
+  const Heights other = limit->at_least ? Heights::from_above : Heights::from_below;
+  if (which == other) return std::nullopt;
+  return limit->at_least ? Rational(z - limit->bound) : Rational(limit->bound - z);
 }
 
 // The least room of all limits of height in what has to be true, or false; of what is both, of

@@ -115,8 +115,8 @@ inline bool is_unsound(const sema::Ahead& ahead) {
   return ahead.duration_unsound || !ahead.unsound_reason.empty();
 }
 // Whether a property that has to be true, or false, allows a height, with `gap` to spare of each of
-// its limits, or of those from below. What is not read as one allows none.
-enum class Heights { all, from_below };
+// its limits, or of those from below or above. What is not read as one allows none.
+enum class Heights { all, from_below, from_above };
 bool keeps_heights(const sema::Spec& spec, const sema::Expr& property, bool value,
                    const Rational& z, const Rational& gap, Heights which = Heights::all);
 // The zones that a recovery moves within, of all of its steps.

@@ -377,6 +377,34 @@ bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Ra
   });
 }
 
+namespace {
+
+// Who goes back in a prism is led off its floor, or its ceiling, by no more than what it looks for,
+// and keeps its height in between. nullopt: that is not known.
+std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decision& d,
+                                     const Claims& claims, const sema::Controller& recovery) {
+  bool goes_back = true;
+  Rational room = 0;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    const bool loiters = std::holds_alternative<sema::Loiter>(what);
+    goes_back = goes_back && (loiters || std::holds_alternative<sema::Retreat>(what));
+    if (loiters) room = Rational(1, 2);
+  }
+  if (!goes_back || sema::claim_of(recovery)) return std::nullopt;
+  Rational back = 0, gap = 0;
+  for (const sema::MonitorId id : d.priority) {
+    if (spec[id].return_when) return std::nullopt;
+    back = std::max(back, claims.return_clearance(d, spec[id], return_extra(spec, d)));
+    for (const sema::ZoneId zone : all_zones(*spec[id].always)) {
+      gap = std::max(gap, gap_of(spec, *spec[id].always, zone));
+    }
+  }
+  const Numbers numbers = numbers_of(spec, d, jitter_of(spec, d));
+  return back + gap + numbers.sway + numbers.position_error + room + rounding;
+}
+
+}  // namespace
+
 bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                        const sema::Controller& recovery, const sema::Expr& property) {
   const Rational jitter = jitter_of(spec, d);
@@ -396,10 +424,15 @@ bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& 
     const auto solid = claims.zones().solid(zone);
     if (!solid || solid->empty()) return false;
     const Rational &low = solid->slabs().front().floor, &high = solid->slabs().back().ceiling;
-    if (!keeps_heights(spec, property, true, low, 0) ||
-        !keeps_heights(spec, property, true, high, 0)) {
-      return false;
-    }
+    const auto led =
+        solid->slabs().size() == 1 ? led_off_ends(spec, d, claims, recovery) : std::nullopt;
+    const bool up =
+        keeps_heights(spec, property, true, high, 0, Heights::from_above) ||
+        (led && keeps_heights(spec, property, true, low + *led, sway, Heights::from_above));
+    const bool down =
+        keeps_heights(spec, property, true, low, 0, Heights::from_below) ||
+        (led && keeps_heights(spec, property, true, high - *led, sway, Heights::from_below));
+    if (!up || !down) return false;
   }
   return true;
 }

@@ -1,0 +1,61 @@
+// Who goes back within a prism keeps its height between the ends of it: a limit of height that
+// leaves room beyond either end is kept, and no other one.
+#include "tests/compiler/verify/forged.h"
+
+namespace rtac::driver::test {
+namespace {
+
+class Level : public Forged {
+ protected:
+  void SetUp() override {
+    Verify::SetUp();
+    ::setenv("RTAC_SIM", RTAC_SIM_PROGRAM, 1);
+  }
+  static std::string page(const std::string& limit, const std::string& recovery = "retreat") {
+    return "spec sky;\nzone sky = prism (rectangle (0 m, 0 m) to (60 m, 50 m)) from 2 m to 40 "
+           "m;\n" +
+           a_quad + "controller back : safe for Quad = " + recovery +
+           " within sky speed 0.8 m/s;\n"
+           "controller stop : safe for Quad = brake_and_hold;\n"
+           "monitor cage for r : Quad { \"R1\" always r inside sky; recover back; }\n"
+           "monitor level for r : Quad { \"R2\" always " +
+           limit +
+           "; recover stop; hold when violated \"pilot\"; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms; priority cage > level; }\n";
+  }
+  static std::string below(double z) { return "r.position.z <= " + std::to_string(z) + " m"; }
+  static std::string above(double z) { return "r.position.z >= " + std::to_string(z) + " m"; }
+  static std::string kept(const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json", "--attack", "1"});
+    const auto found = statuses(o.out, "C", "level");
+    return found.size() == 1 ? found.front() : o.out + o.err;
+  }
+};
+
+TEST_F(Level, WhoGoesBackInAPrismIsLedOffItsEndsAndNoFurther) {
+  for (const char* recovery : {"retreat", "loiter"}) {
+    EXPECT_EQ(kept(page(below(8), recovery)), "proved") << recovery;
+    EXPECT_EQ(kept(page(above(34), recovery)), "proved") << recovery;
+    EXPECT_NE(kept(page(below(2.5), recovery)), "proved") << recovery;
+    EXPECT_NE(kept(page(above(39.5), recovery)), "proved") << recovery;
+  }
+}
+
+// What is asked before control returns may lead to another height.
+TEST_F(Level, NotWhereControlReturnsElsewhere) {
+  const std::string high =
+      edited(page(below(8)), "recover back;",
+             "recover back; return when clearance(r, complement(sky)) >= 9 m;");
+  EXPECT_NE(kept(high), "proved");
+}
+
+TEST_F(Level, ALimitNearAnEndIsDenied) {
+  const std::string text = "C of `level` while `back` drives: `back` may go beyond";
+  prove(page(below(8)));
+  expect_noticed_in("spec.rta", below(8), below(3), text);
+  prove(page(above(34)));
+  expect_noticed_in("spec.rta", above(34), above(39), text);
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
