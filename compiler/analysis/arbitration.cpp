@@ -454,7 +454,7 @@ class Pair {
         kept = !high_enough_mm || step->land_mm >= *high_enough_mm;
       } else if (step->claims && !module_[step->zone].has_height()) {
         kept = false;
-      } else if (const auto zone = moves_within(*step)) {
+      } else if (const auto zone = moves_within(*step); zone && module_[*zone].has_height()) {
         const auto [lowest_mm, highest_mm] = heights_within(*step, module_[*zone]);
         kept =
             (!most || highest_mm <= most->most) && (!least || lowest_mm >= least->need.strictest);

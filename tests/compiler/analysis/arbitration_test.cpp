@@ -257,7 +257,7 @@ TEST(Arbitration, ACircleIsFoundExactlyWhereNobodyKeepsAll) {
 TEST(Arbitration, ToStandIsOfferedWhereItWorks) {
   const auto page = [](const std::string& property, const std::string& recovery) {
     return R"(spec tower;
-zone cage = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 0 m to 15 m;
+zone cage = prism (rectangle (0 m, 0 m) to (20 m, 20 m)) from 11 m to 15 m;
 input lost : bool max_age 1 s;
 robot Bot {
   body    radius 25 cm;
