@@ -9,8 +9,8 @@
 #include "compiler/analysis/boundless.h"
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
-#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/keeps_off.h"
+#include "compiler/analysis/led_in_height.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/paces.h"
@@ -415,31 +415,6 @@ class Pair {
     }
     return solid.slabs().front().floor;
   }
-  // The lowest and the highest place, in mm, that a recovery may lead to from outside of them: all
-  // of its zone, but of a single prism. Between the ends of that, who goes back keeps its height,
-  // and is led off either end by no more than the standoff that it looks for, and as far as it
-  // strays. What asks for more before it gives back may lead elsewhere.
-  [[nodiscard]] std::pair<std::int64_t, std::int64_t> heights_within(
-      const ir::Recovery& step, const ir::ZoneTable& zone) const {
-    const std::int64_t floor_mm = zone.slabs.front().floor_mm;
-    const std::int64_t ceiling_mm = zone.slabs.back().ceiling_mm;
-    const bool asks = std::ranges::any_of(
-        decision_.monitors, [](const ir::Monitor& m) { return m.return_when.has_value(); });
-    if (!decision_.body.in_space || step.claims || !ir::goes_back(step.kind) || asks ||
-        zone.slabs.size() != 1) {
-      return {floor_mm, ceiling_mm};
-    }
-    std::int64_t standoff_mm = 0;
-    for (const ir::Monitor& m : decision_.monitors) {
-      for (const Standoff& each : fence_standoffs(m.property, decision_.facts.params)) {
-        standoff_mm = std::max(standoff_mm, each.mm);
-      }
-    }
-    constexpr std::int64_t rounding_mm = 20;
-    const std::int64_t led_mm = goals_mm(decision_, step).back() + standoff_mm +
-                                (step.route_clearance_mm - decision_.body.radius_mm) + rounding_mm;
-    return {std::max(ceiling_mm - led_mm, floor_mm), std::min(floor_mm + led_mm, ceiling_mm)};
-  }
   // A retreat within a zone of the plane keeps its height (rule 7.8), which nobody claims of what
   // is external. A landing ends as far above its end as it strays from any place of rest.
   bool keeps_height(const ir::Block& block, const ir::AtLeast& compare) {
@@ -455,7 +430,7 @@ class Pair {
       } else if (step->claims && !module_[step->zone].has_height()) {
         kept = false;
       } else if (const auto zone = moves_within(*step); zone && module_[*zone].has_height()) {
-        const auto [lowest_mm, highest_mm] = heights_within(*step, module_[*zone]);
+        const auto [lowest_mm, highest_mm] = led_between_mm(decision_, *step, module_[*zone]);
         kept =
             (!most || highest_mm <= most->most) && (!least || lowest_mm >= least->need.strictest);
       }

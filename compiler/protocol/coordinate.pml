@@ -5,7 +5,10 @@ bool false_now[MONITORS];
 bool sure[MONITORS]; /* it may return, and so holds ahead of whoever drives */
 bool fits[MONITORS * MONITORS];
 bool more_room; /* of two prefixes that are equal, the second one ends with more room */
-bool lost;      /* for the claim: a monitor that no circle leads to is not kept */
+bool asked[MONITORS];  /* what is seen ahead of its recovery is chosen */
+bool speaks[MONITORS]; /* it may have to engage, so that its recovery may drive */
+byte asker;
+bool lost; /* for the claim: a monitor that no circle leads to is not kept */
 hidden byte best, longest, length, speaker, unkept, row, column;
 hidden byte kept;
 
@@ -13,13 +16,16 @@ hidden byte kept;
 #define FITS(i, j) fits[(i) * MONITORS + (j)]
 
 /* What was found under the motion of who drives: as good where no recovery is faster. Only what is asked
- * for is kept, so that fewer states differ. */
+ * for is kept, of monitors that are idle, so that fewer states differ. */
 inline note(m) {
   false_now[m] = violated;
   sure[m] = 0;
   row = 0;
   do
-  :: row < MONITORS && SHOWN(row, m) == 0 -> FITS(row, m) = clear; sure[m] = safer; row++
+  :: row < MONITORS && SHOWN(row, m) == 0 ->
+     FITS(row, m) = (clear && !engaged[m]);
+     sure[m] = (safer && !engaged[m] && driver != 0);
+     row++
   :: row < MONITORS && SHOWN(row, m) != 0 -> FITS(row, m) = 0; row++
   :: else -> break
   od
@@ -132,6 +138,8 @@ inline forget() {
   :: row < MONITORS ->
      false_now[row] = 0;
      sure[row] = 0;
+     asked[row] = 0;
+     speaks[row] = 0;
      column = 0;
      do
      :: column < MONITORS -> FITS(row, column) = 0; column++

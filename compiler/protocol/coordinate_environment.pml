@@ -6,12 +6,34 @@
 #define may_differ(i) (fits[i] && shown[i] == 0 && !engaged[(i) % MONITORS] && !sure[(i) % MONITORS] && \
                        driver != 0 && !stays_idle(i) && (i) / MONITORS != own)
 
-inline choose_ahead() {
-  k = 0;
+/* A recovery that cannot drive next nobody asks for. */
+#define may_drive(i) (engaged[i] || speaks[i] || false_now[i] || (open == i && before != 0))
+
+inline choose_ahead_of(i) {
+  asked[i] = 1;
+  k = i * MONITORS;
   do
-  :: k < MONITORS * MONITORS && may_differ(k) -> either(fits[k]); k++
-  :: k < MONITORS * MONITORS && !may_differ(k) -> k++
+  :: k < (i + 1) * MONITORS && may_differ(k) ->
+     if
+     :: fits[k] = 0; speaks[k % MONITORS] = 1
+     :: fits[k] = 1
+     fi;
+     k++
+  :: k < (i + 1) * MONITORS && !may_differ(k) -> k++
+  :: else -> break
+  od
+}
+
+inline choose_ahead() {
+  asker = 0;
+  do
+  :: asker < MONITORS && may_drive(asker) && !asked[asker] -> choose_ahead_of(asker); asker = 0
+  :: asker < MONITORS && !(may_drive(asker) && !asked[asker]) -> asker++
   :: else -> break
   od;
-  either(more_room)
+  asker = 0;
+  if
+  :: open != NOBODY -> either(more_room)
+  :: else
+  fi
 }

@@ -22,10 +22,21 @@ inline either(b) {
   fi
 }
 
+/* How long the return conditions of those that are engaged have held. */
+inline choose_dwell() {
+  k = 0;
+  do
+  :: k < MONITORS && engaged[k] && dwell[k] < DWELL -> dwell[k]++
+  :: k < MONITORS -> k++
+  :: else -> break
+  od
+}
+
 /* Before the checks. */
 inline choose_tick() {
   if
-  :: !quiet -> either(quiet)
+  :: !quiet
+  :: !quiet -> quiet = 1; choose_dwell()
   :: else
   fi;
   if
@@ -44,14 +55,15 @@ inline choose_tick() {
   fi
 }
 
-/* After them. A promise may have run out. */
+/* After them. A promise may have run out. Who is replaced, or gives control up, drives while nobody is
+ * engaged. */
 inline choose_rest() {
   if
-  :: !quiet -> either(surrender)
+  :: !quiet && open != SOMEBODY -> either(surrender)
   :: else
   fi;
   if
-  :: !first && !quiet -> either(late)
+  :: !first && !quiet && open != SOMEBODY -> either(late)
   :: else
   fi;
   if
@@ -64,10 +76,18 @@ inline choose_rest() {
   fi
 }
 
-/* What is found of monitor m. Where its return set holds, its look-ahead does, which is shorter. */
+/* What is found of monitor m. Where its return set holds, its look-ahead does, which is shorter. Of
+ * findings that `judge` takes for the same there is one. */
 inline choose_check(m) {
   if
   :: calm && home && (m == own || SETTLES(m)) -> clear = 1; safer = 1
+  :: !calm && !first ->
+     if
+     :: violated = 1
+     :: !engaged[m] /* its look-ahead fails */
+     :: clear = 1
+     :: clear = 1; safer = 1
+     fi
   :: else ->
      if
      :: calm && m != own && !engaged[m] && KEEPS(m) -> clear = 1
@@ -82,7 +102,7 @@ inline choose_check(m) {
   :: calm && m == own -> gives_back = home
   :: else ->
      if
-     :: asks[m] -> either(gives_back)
+     :: asks[m] && engaged[m] && safer -> either(gives_back)
      :: else -> gives_back = 1
      fi
   fi

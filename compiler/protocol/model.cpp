@@ -164,9 +164,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-// Before the text of what a monitor does with what is found of it, which takes a note for `part`.
+// After what a monitor does with what is found of it, `part` takes a note of that.
 void take_notes(std::string& rules, const std::string& part) {
-  rules = replaced(rules, "inline judge(m) {\n", "inline judge(m) {\n  note(m);\n");
+  rules = replaced(rules, "  :: engaged[m] -> open = SOMEBODY\n  :: else\n  fi\n",
+                   "  :: engaged[m] -> open = SOMEBODY\n  :: else\n  fi;\n  note(m)\n");
   const std::size_t judged = rules.find("/* `monitor_step` of the kernel. */");
   rules.insert(judged, part + "\n");
 }

@@ -1,7 +1,12 @@
 /* ---- What a tick does -------------------------------------------------------------------------
  * Controllers are numbered: 0 is the advanced one, k + 1 the recovery of monitor k. Monitor 0 ranks
  * first. */
-#define NOBODY MONITORS /* no monitor */
+#define NOBODY MONITORS         /* no monitor */
+#define SOMEBODY (MONITORS + 1) /* some monitor, whichever */
+
+/* How long return conditions hold. They may begin to hold later, so that it is counted only from the
+ * tick on after which less may happen. */
+#define DWELLS (quiet -> DWELL : 0)
 
 mtype = { none, look_ahead, violation, starting, returning, surrendered }; /* reasons */
 mtype = { on_time, again, missed }; /* a tick; a second step in one; a gap, or a clock turned back */
@@ -33,7 +38,8 @@ bool gives_back; /* its `return when` holds, or it has none */
 
 /* Of this tick. */
 bool first;
-byte before, open, highest, k;
+byte before, highest, k;
+byte open; /* the first that is not ready to give control back, if nobody is engaged */
 
 inline begin_tick() {
   first = !started;
@@ -51,7 +57,7 @@ inline engage(m, reason) {
 /* `monitor_step` of the kernel. */
 inline judge(m) {
   if
-  :: !safer && open == NOBODY -> open = m
+  :: !safer && open == NOBODY && before != 0 -> open = m
   :: else
   fi;
   if
@@ -69,9 +75,13 @@ inline judge(m) {
      why[m] = returning;
      dwell[m]++;
      if
-     :: dwell[m] > DWELL -> engaged[m] = 0; dwell[m] = 0; why[m] = none
+     :: dwell[m] > DWELLS -> engaged[m] = 0; dwell[m] = 0; why[m] = none
      :: else
      fi
+  fi;
+  if
+  :: engaged[m] -> open = SOMEBODY
+  :: else
   fi
 }
 

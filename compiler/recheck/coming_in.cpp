@@ -379,28 +379,35 @@ bool lies_level(Claims& claims, sema::ZoneId inner, sema::ZoneId outer, const Ra
 
 namespace {
 
-// Who goes back in a prism is led off its floor, or its ceiling, by no more than what it looks for,
-// and keeps its height in between. nullopt: that is not known.
+// Who goes back in a prism is led off its floor, or its ceiling, by no more than the clearance that
+// it looks for and as far as it strays, and keeps its height in between. nullopt: that is not
+// known.
 std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decision& d,
-                                     const Claims& claims, const sema::Controller& recovery) {
-  bool goes_back = true;
-  Rational room = 0;
+                                     const Claims& claims, const sema::Controller& recovery,
+                                     sema::ZoneId zone) {
+  bool loiters = false;
   for (const sema::Template& what : sema::templates_of(recovery)) {
-    const bool loiters = std::holds_alternative<sema::Loiter>(what);
-    goes_back = goes_back && (loiters || std::holds_alternative<sema::Retreat>(what));
-    if (loiters) room = Rational(1, 2);
+    loiters = loiters || std::holds_alternative<sema::Loiter>(what);
+    if (!std::holds_alternative<sema::Loiter>(what) && !std::holds_alternative<sema::Retreat>(what))
+      return std::nullopt;
   }
-  if (!goes_back || sema::claim_of(recovery)) return std::nullopt;
-  Rational back = 0, gap = 0;
+  if (sema::claim_of(recovery)) return std::nullopt;
+  Rational back = 0, leg = 0, gap = 0;
   for (const sema::MonitorId id : d.priority) {
-    if (spec[id].return_when) return std::nullopt;
-    back = std::max(back, claims.return_clearance(d, spec[id], return_extra(spec, d)));
-    for (const sema::ZoneId zone : all_zones(*spec[id].always)) {
-      gap = std::max(gap, gap_of(spec, *spec[id].always, zone));
+    const sema::Monitor& m = spec[id];
+    if (m.return_when) return std::nullopt;
+    back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
+    if (&spec[*m.recover] == &recovery) leg = std::max(leg, claims.leg_clearance(d, m, zone));
+    for (const sema::ZoneId each : all_zones(*m.always)) {
+      gap = std::max(gap, gap_of(spec, *m.always, each));
     }
   }
-  const Numbers numbers = numbers_of(spec, d, jitter_of(spec, d));
-  return back + gap + numbers.sway + numbers.position_error + room + rounding;
+  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
+  const Rational lap(1, 2), strays = leg - n.radius;
+  const Rational looks_for =
+      std::max(Rational(back + gap), leg) + n.sway +
+      (loiters ? Rational(n.sway + 2 * n.position_error + lap) : Rational(0));
+  return looks_for + strays;
 }
 
 }  // namespace
@@ -425,13 +432,13 @@ bool keeps_its_heights(const sema::Spec& spec, const sema::Decision& d, Claims& 
     if (!solid || solid->empty()) return false;
     const Rational &low = solid->slabs().front().floor, &high = solid->slabs().back().ceiling;
     const auto led =
-        solid->slabs().size() == 1 ? led_off_ends(spec, d, claims, recovery) : std::nullopt;
+        solid->slabs().size() == 1 ? led_off_ends(spec, d, claims, recovery, zone) : std::nullopt;
     const bool up =
         keeps_heights(spec, property, true, high, 0, Heights::from_above) ||
-        (led && keeps_heights(spec, property, true, low + *led, sway, Heights::from_above));
+        (led && keeps_heights(spec, property, true, low + *led, 0, Heights::from_above));
     const bool down =
         keeps_heights(spec, property, true, low, 0, Heights::from_below) ||
-        (led && keeps_heights(spec, property, true, high - *led, sway, Heights::from_below));
+        (led && keeps_heights(spec, property, true, high - *led, 0, Heights::from_below));
     if (!up || !down) return false;
   }
   return true;

@@ -116,8 +116,8 @@ TEST(Replay, TheWalksLeadThroughEveryRule) {
 TEST(Replay, MistakesInTheModelAreFound) {
   const std::vector<std::array<std::string, 2>> mistakes = {
       {"highest < MONITORS && !engaged[highest]", "highest < MONITORS && engaged[highest]"},
-      {"dwell[m] > DWELL", "dwell[m] > DWELL + 1"},
-      {"dwell[m] > DWELL", "dwell[m] >= DWELL"},
+      {"dwell[m] > DWELLS", "dwell[m] > DWELLS + 1"},
+      {"dwell[m] > DWELLS", "dwell[m] >= DWELLS"},
       {"violated && (step == missed || !clear) ->", "violated && !clear ->"},
       {"(step == missed || !(safer && gives_back))", "!(safer && gives_back)"},
       {"(step == missed || !(safer && gives_back))", "(step == missed || !safer)"},
@@ -153,7 +153,7 @@ TEST(Replay, MistakesInTheCoordinationAreFound) {
       {"length > longest ||", "length < longest ||"},
       {"kept = (SHOWN(i, j) == 2)", "kept = (SHOWN(i, j) != 0)"},
       {"SHOWN(i, j) != 0 -> kept = 1", "SHOWN(i, j) == 2 -> kept = 1"},
-      {"kept = (!engaged[j] && FITS(i, j))", "kept = FITS(i, j)"},
+      {"FITS(row, m) = (clear && !engaged[m])", "FITS(row, m) = 0"},
       {"false_now[m] = violated", "false_now[m] = 0"},
   };
   const Subject* alike = nullptr;

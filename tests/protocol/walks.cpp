@@ -27,6 +27,7 @@ int step_number(const Row& row) {
 
 constexpr const char* replayer = R"(
 hidden short t;
+bool quiet = 1; /* every tick of the dwell is counted */
 #define at (t * MONITORS + k)
 #define same_reason(number, word) (r_reason[t] == number && reason == word)
 #define of_input (r_reason[t] == 6 && \

@@ -53,6 +53,9 @@ TEST_F(Level, ALimitNearAnEndIsDenied) {
   const std::string text = "C of `level` while `back` drives: `back` may go beyond";
   prove(page(below(8)));
   expect_noticed_in("spec.rta", below(8), below(3), text);
+  // who loiters looks for more room
+  prove(page(below(8), "loiter"));
+  expect_noticed_in("spec.rta", below(8), below(4), text);
   prove(page(above(34)));
   expect_noticed_in("spec.rta", above(34), above(39), text);
 }

@@ -204,7 +204,7 @@ controller back : safe for Quad = retreat within orchard speed 0.6 m/s;
 controller down : safe for Quad = land to 8 m speed 0.5 m/s;
 monitor walls for r : Quad { "R1" always r inside orchard; recover back; }
 monitor roof  for r : Quad { "R2" always )" +
-           limit + R"(; recover down; }
+           limit + R"(; recover down; return when r.position.z <= 19 m; }
 decision fly for Quad { advanced go; period 50 ms; priority )" +
            order + "; }\n";
   };
@@ -217,7 +217,7 @@ decision fly for Quad { advanced go; period 50 ms; priority )" +
   std::string mended = edited(as_declared, "retreat within orchard", "retreat within low");
   mended = edited(mended, "robot Quad", "zone low = " + zone + ";\nrobot Quad");
   EXPECT_EQ(verified(mended, {}).status, exit_clean);
-  // higher than that it is open
+  // higher than that it is open, as what is asked for before control returns may lead higher
   const std::string higher = edited(mended, "to 20.5 m;\nrobot", "to 21.5 m;\nrobot");
   EXPECT_EQ(repair_of(higher, "C", "roof").find("a recovery within a zone that is `"), 0U);
 }
@@ -418,7 +418,8 @@ decision drive for Bot { advanced go; period 100 ms; priority fence > calm; }
 TEST_F(Repaired, AnOrderIsOfferedThatMovesNothing) {
   const auto high = [](const std::string& order) {
     return R"(spec ceiling;
-zone volume = prism (rectangle (0 m, 0 m) to (40 m, 30 m)) from 0 m to 50 m;
+zone volume = prism (rectangle (0 m, 0 m) to (40 m, 30 m)) from 0 m to 30 m |
+              prism (rectangle (0 m, 0 m) to (40 m, 28 m)) from 30 m to 50 m;
 robot Quad {
   body    radius 30 cm;
   motion  point { speed <= 4 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
