@@ -9,6 +9,8 @@
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
+#include "compiler/analysis/led_in_height.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/zone_trials.h"
@@ -164,10 +166,21 @@ class InSpace {
     const ir::ZoneTable& zone = module_[step.zone];
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
-    const bool high = most_mm_ && top_mm > *most_mm_, low = least_mm_ && bottom_mm < *least_mm_;
+    const auto [lowest_mm, highest_mm] = led_between_mm(decision_, step, zone);
+    // of the centre, where control is given back: what it has of the ends of its zone there is
+    // enough for limits near them
+    const std::int64_t gap_mm =
+        return_clearance_mm(decision_, monitor_.lookahead.duration_us) - decision_.body.radius_mm;
+    const std::int64_t spare_mm = step.return_clearance_mm - gap_mm;
+    const bool high = most_mm_ && std::max(highest_mm, top_mm - spare_mm) > *most_mm_;
+    const bool low = least_mm_ && std::min(lowest_mm, bottom_mm + spare_mm) < *least_mm_;
     if (!high && !low) return std::nullopt;
-    const std::string ceiling = high ? "a ceiling of at most " + metres(*most_mm_) : "";
-    const std::string floor = low ? "a floor of at least " + metres(*least_mm_) : "";
+    // where it is led past the limit, whatever the other end of its zone is, that has to be its end
+    const auto beyond_mm = [&](bool led_past) { return led_past ? 0 : spare_mm; };
+    const std::string ceiling =
+        high ? "a ceiling of at most " + metres(*most_mm_ + beyond_mm(highest_mm > *most_mm_)) : "";
+    const std::string floor =
+        low ? "a floor of at least " + metres(*least_mm_ - beyond_mm(lowest_mm < *least_mm_)) : "";
     return elsewhere(step,
                      high ? "the heights up to " + metres(*most_mm_)
                           : "the heights from " + metres(*least_mm_) + " on",

@@ -32,7 +32,9 @@ class Claims {
   // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
   // they look `extra` s further ahead for that.
   Rational return_clearance(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
-  // The same of a limit of height of one monitor.
+  // What a recovery within the zone has of its boundary at least where it has led.
+  Rational clear_where_led(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
+  // What one monitor asks for of its zones, the body included.
   [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,
                                           const Rational& extra) const;
   // What the legs of a recovery within a zone keep free, at least: what a look-ahead by its own
@@ -65,6 +67,7 @@ class Claims {
   std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> parting(const Values& v);
   std::optional<Doubt> legs(const Values& v);
+  bool lets_go_at_height(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone);
   std::optional<Doubt> in_sight(const sema::Decision& d, sema::ZoneId zone, std::size_t slab,
                                 const Values& v);
   std::optional<Doubt> height(const Values& v);

@@ -387,9 +387,13 @@ std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decisio
                                      sema::ZoneId zone) {
   bool loiters = false;
   for (const sema::Template& what : sema::templates_of(recovery)) {
-    loiters = loiters || std::holds_alternative<sema::Loiter>(what);
-    if (!std::holds_alternative<sema::Loiter>(what) && !std::holds_alternative<sema::Retreat>(what))
+    const auto moves = sema::moves_of(what);
+    if (!moves || moves->zone != zone) continue;
+    if (std::holds_alternative<sema::Loiter>(what)) {
+      loiters = true;
+    } else if (!std::holds_alternative<sema::Retreat>(what)) {
       return std::nullopt;
+    }
   }
   if (sema::claim_of(recovery)) return std::nullopt;
   Rational back = 0, leg = 0, gap = 0;

@@ -107,6 +107,28 @@ Found Claims::returned(const Values& v) {
   return std::nullopt;
 }
 
+Rational Claims::clear_where_led(const sema::Decision& d, sema::ZoneId zone,
+                                 const Rational& extra) {
+  Rational left = return_clearance(d, zone, extra);
+  for (const sema::MonitorId id : d.priority) {
+    left = std::max(left, return_clearance(d, spec_[id], extra));
+  }
+  return left;
+}
+
+// Who has come to rest within the zone is where the limits of height of its property let it go.
+bool Claims::lets_go_at_height(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone) {
+  const auto solid = zones_.solid(zone);
+  if (zones_.region(zone) != nullptr || !solid || solid->empty()) return true;
+  if (Sides(spec_, d, *this).holds_of_slow(spec_[*m.recover], *m.always)) return true;
+  const Rational extra = return_extra(spec_, d), left = clear_where_led(d, zone, extra);
+  const Rational gap = return_clearance(d, m, extra) - spec_[d.kind].radius.value;
+  return keeps_heights(spec_, *m.always, true, solid->slabs().front().floor + left, gap,
+                       Heights::from_below) &&
+         keeps_heights(spec_, *m.always, true, solid->slabs().back().ceiling - left, gap,
+                       Heights::from_above);
+}
+
 Found Claims::legs(const Values& v) {
   const sema::Decision* const d = decision(v);
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
@@ -119,6 +141,9 @@ Found Claims::legs(const Values& v) {
   if (!gap || *gap < 0 || !aim || slabs == 0) return wrong("no such clearance, or an unknown zone");
   const auto route = number(v, "route_mm");
   if (route && milli(*route) < leg_clearance(*d, *m, *zone)) return wrong(too_near);
+  if (!lets_go_at_height(*d, *m, *zone)) {
+    return wrong("it may come to rest at a height where control is not given back");
+  }
   const Rational jitter = jitter_of(spec_, *d);
   if (milli(*aim) < milli(*gap) + numbers_of(spec_, *d, jitter).sway) {
     return wrong("at rest beside its aim the robot may be nearer to the boundary");

@@ -395,6 +395,7 @@ Sides::Rests Sides::rests_of(const sema::Monitor& m, const Rational& extra) cons
       std::min(numbers_.speed, Rational(2 * numbers_.velocity_error + accel * horizon));
   // pushes and errors that turn around keep who holds a place moving
   rests.from_hold = std::min(numbers_.speed, Rational(rests.from_rest + numbers_.stands));
+  rests.extra = extra;
   rests.clearance = claims_.return_clearance(decision_, m, extra);
   return rests;
 }
@@ -465,10 +466,13 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
   if (high) {
     const auto solid = claims_.zones().solid(*rests.own);
     if (!solid || solid->slabs().empty()) return Back::no;
-    const Rational low = solid->slabs().front().floor + rests.clearance;
-    const Rational top = solid->slabs().back().ceiling - rests.clearance;
-    return keeps_heights(spec_, *part.expr, part.value, low, rests.clearance) &&
-                   keeps_heights(spec_, *part.expr, part.value, top, rests.clearance)
+    const Rational left = claims_.clear_where_led(decision_, *rests.own, rests.extra);
+    const Rational low = solid->slabs().front().floor + left;
+    const Rational top = solid->slabs().back().ceiling - left;
+    // of the centre
+    const Rational gap = rests.clearance - spec_[decision_.kind].radius.value;
+    return keeps_heights(spec_, *part.expr, part.value, low, gap) &&
+                   keeps_heights(spec_, *part.expr, part.value, top, gap)
                ? Back::yes
                : Back::no;
   }

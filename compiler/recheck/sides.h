@@ -102,7 +102,7 @@ class Sides {
   struct Rests {
     const sema::Monitor& monitor;
     std::optional<sema::ZoneId> own;
-    Rational clearance, from_rest, from_hold;
+    Rational extra, clearance, from_rest, from_hold;
   };
   [[nodiscard]] Rests rests_of(const sema::Monitor& m, const Rational& extra) const;
   Back back(const Rests& rests, const Part& part, bool either);

@@ -221,7 +221,8 @@ class Turns {
     const auto solid = claims_.zones().solid(within.back());
     if (!left_mm || !solid || solid->slabs().empty()) return false;
     const Rational left = Rational(*left_mm) / 1000;
-    const Rational gap = claims_.return_clearance(d_, monitor(j), extra());
+    const Rational gap =  // of the centre
+        claims_.return_clearance(d_, monitor(j), extra()) - spec_[d_.kind].radius.value;
     return keeps_heights(spec_, *monitor(j).always, true, solid->slabs().front().floor + left,
                          gap) &&
            keeps_heights(spec_, *monitor(j).always, true, solid->slabs().back().ceiling - left,

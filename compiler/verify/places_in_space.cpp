@@ -284,8 +284,9 @@ bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t ga
   const auto& slabs = s.module[last.zone].slabs;
   const std::int64_t low_mm = slabs.front().floor_mm + last.return_clearance_mm;
   const std::int64_t high_mm = slabs.back().ceiling_mm - last.return_clearance_mm;
-  return (!most || high_mm + gap_mm <= most->most) &&
-         (!least || low_mm - gap_mm >= least->need.strictest);
+  const std::int64_t of_centre_mm = gap_mm - s.decision.body.radius_mm;
+  return (!most || high_mm + of_centre_mm <= most->most) &&
+         (!least || low_mm - of_centre_mm >= least->need.strictest);
 }
 
 namespace {

@@ -49,6 +49,28 @@ TEST_F(Level, NotWhereControlReturnsElsewhere) {
   EXPECT_NE(kept(high), "proved");
 }
 
+// Of its own monitor: control is given back where it rests, if the limit leaves no more than the
+// radius of the body of the prism beyond it.
+TEST_F(Level, ItsOwnLimitMayLieARadiusInside) {
+  const auto own = [](double low, double high) {
+    return edited(page(above(low) + " and " + below(high)),
+                  "recover stop; hold when violated \"pilot\"", "recover back");
+  };
+  const Outcome o = verified(own(2.3, 39.7), {"-o", "proofs"});
+  EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(rtac({"verify", "--recheck", "proofs"}).status, exit_clean);
+  const Outcome less = verified(own(2.3, 39.6), {"--attack", "1"});
+  EXPECT_EQ(less.status, exit_inconclusive) << less.out << less.err;
+  EXPECT_NE(less.err.find("a ceiling of at most 39.9 m works"), std::string::npos) << less.err;
+  EXPECT_EQ(verified(edited(own(2.3, 39.6), "to 40 m", "to 39.9 m")).status, exit_clean);
+}
+
+TEST_F(Level, ItsOwnLimitFurtherInsideIsDenied) {
+  const std::string text = "it may come to rest at a height where control is not given back";
+  prove(edited(page(below(39.8)), "recover stop; hold when violated \"pilot\"", "recover back"));
+  expect_noticed_in("spec.rta", below(39.8), below(39.5), text);
+}
+
 TEST_F(Level, ALimitNearAnEndIsDenied) {
   const std::string text = "C of `level` while `back` drives: `back` may go beyond";
   prove(page(below(8)));
