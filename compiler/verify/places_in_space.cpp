@@ -145,11 +145,27 @@ class Together {
       return o;
     }
     o.because = "no place is so clear of the boundaries that all monitors give control back there";
-    o.repair = "zones that share more room, a shorter `ahead` or a lower `speed` are needed";
+    o.repair = limit_in_the_way().value_or(
+        "zones that share more room, a shorter `ahead` or a lower `speed` are needed");
     return o;
   }
 
  private:
+  // How much a limit of height has to leave more, where without it there would be a place.
+  [[nodiscard]] std::optional<std::string> limit_in_the_way() const {
+    Together higher = *this, lower = *this;
+    higher.band_.most_mm = Band().most_mm;
+    lower.band_.least_mm = Band().least_mm;
+    const geometry::Solid above = higher.common(-2, std::nullopt);
+    const geometry::Solid below = lower.common(-2, std::nullopt);
+    if (!above.empty()) {
+      const std::int64_t lowest_mm = ceil_to_int(Rational(above.slabs().front().floor * 1000));
+      return "a limit of height that is " + metres(lowest_mm - band_.most_mm) + " higher is needed";
+    }
+    if (below.empty()) return std::nullopt;
+    const std::int64_t highest_mm = -ceil_to_int(Rational(below.slabs().back().ceiling * -1000));
+    return "a limit of height that is " + metres(band_.least_mm - highest_mm) + " lower is needed";
+  }
   [[nodiscard]] bool is_clear_of(const std::vector<Need>& zones, const Spot& spot) const {
     const geometry::Point p{in_m(spot.x_mm), in_m(spot.y_mm)};
     return std::ranges::all_of(zones, [&](const Need& need) {

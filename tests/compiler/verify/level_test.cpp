@@ -25,11 +25,13 @@ class Level : public Forged {
   }
   static std::string below(double z) { return "r.position.z <= " + std::to_string(z) + " m"; }
   static std::string above(double z) { return "r.position.z >= " + std::to_string(z) + " m"; }
-  static std::string kept(const std::string& text) {
+  static std::string status(const std::string& text, const std::string& kind,
+                            const std::string& monitor) {
     const Outcome o = verified(text, {"--format", "json", "--attack", "1"});
-    const auto found = statuses(o.out, "C", "level");
+    const auto found = statuses(o.out, kind, monitor);
     return found.size() == 1 ? found.front() : o.out + o.err;
   }
+  static std::string kept(const std::string& text) { return status(text, "C", "level"); }
 };
 
 TEST_F(Level, WhoGoesBackInAPrismIsLedOffItsEndsAndNoFurther) {
@@ -47,6 +49,22 @@ TEST_F(Level, NotWhereControlReturnsElsewhere) {
       edited(page(below(8)), "recover back;",
              "recover back; return when clearance(r, complement(sky)) >= 9 m;");
   EXPECT_NE(kept(high), "proved");
+}
+
+// Too near to the floor, or to the ceiling, for any place where all give control back.
+TEST_F(Level, ALimitInTheWayOfAllIsToldHowMuchMoreItHasToLeave) {
+  const auto needed = [](const std::string& text, const std::string& which) {
+    const Outcome o = verified(text, {"--attack", "1"});
+    const std::string before = "a limit of height that is ", after = " m " + which + " is needed";
+    const std::size_t at = o.out.find(before), end = o.out.find(after);
+    EXPECT_NE(end, std::string::npos) << o.out;
+    return end == std::string::npos ? 0 : std::stod(o.out.substr(at + before.size()));
+  };
+  const double up = needed(page(below(3.5)), "higher"), down = needed(page(above(39)), "lower");
+  EXPECT_EQ(status(page(below(3.5 + up)), "joint return", ""), "proved") << up;
+  EXPECT_EQ(status(page(below(3.5 + 0.95 * up)), "joint return", ""), "refuted") << up;
+  EXPECT_EQ(status(page(above(39 - down)), "joint return", ""), "proved") << down;
+  EXPECT_EQ(status(page(above(39 - 0.95 * down)), "joint return", ""), "refuted") << down;
 }
 
 // Of its own monitor: control is given back where it rests, if the limit leaves no more than the
