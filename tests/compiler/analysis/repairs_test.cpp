@@ -478,12 +478,21 @@ TEST(Repairs, AZoneTooHighAndTooLowIsToldBoth) {
                           "l.position.z >= 5 m and l.position.z <= 25 m"));
   };
   const auto c = within("prism (ground) from 0 m to 30 m");
-  EXPECT_NE(reports(*c).find("a zone with a ceiling of at most 25 m and a floor of at least 5 m "
-                             "works"),
+  EXPECT_NE(reports(*c).find("a zone with a ceiling of at most 25.2 m and a floor of at least "
+                             "4.8 m works"),
             std::string::npos)
       << reports(*c);
-  const auto works = within("prism (ground) from 5 m to 25 m");
+  const auto works = within("prism (ground) from 4.8 m to 25.2 m");
   EXPECT_TRUE(works->module) << reports(*works);
+  EXPECT_TRUE(has(*within("prism (ground) from 4.8 m to 25.21 m"), Code::recovery_elsewhere));
+  EXPECT_TRUE(has(*within("prism (ground) from 4.79 m to 25.2 m"), Code::recovery_elsewhere));
+  // what is no single prism may lead up and down
+  const auto two = within(
+      "prism (ground) from 4 m to 15 m | prism (ground - rectangle (8 m, 8 m) to (12 m, 12 m)) "
+      "from 15 m to 26 m");
+  EXPECT_NE(reports(*two).find("a ceiling of at most 25 m and a floor of at least 5 m works"),
+            std::string::npos)
+      << reports(*two);
 }
 TEST(Repairs, AWayThatKeepsItsHeightIsToldAZoneOfThePlane) {
   const auto within = [](const std::string& zone) {
