@@ -12,7 +12,8 @@ constexpr std::int64_t lap_mm = 500;
 // Of lengths that are rounded up to millimetres, here and where certificates are checked.
 constexpr std::int64_t rounding_mm = 20;
 
-// The most clearance that it looks for: with less of it, it may set out up or down.
+// The most clearance that it looks for: with less of it, it may set out up or down. It has the
+// standoffs that count in this zone; those of all zones come on top, as a recheck counts them.
 std::int64_t looks_for_mm(const ir::Body& body, const ir::Recovery& step) {
   const std::int64_t sway_mm = body.end_reach_mm;
   const std::int64_t most_mm = std::max(step.return_clearance_mm, step.route_clearance_mm);

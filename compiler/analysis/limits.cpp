@@ -5,6 +5,7 @@
 #include "compiler/analysis/reach.h"
 #include "compiler/analysis/travel.h"
 #include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::analysis {
 namespace {
@@ -199,10 +200,13 @@ ir::Body body_of(const sema::RobotKind& kind, std::int64_t period_us, std::int64
 // near a wall with what the tube of the brake has to spare.
 //
 // A hold that is carried comes to rest beside its leg only where it is stopped, and is led back
-// from there. Zones with heights are looked at by the clearance that is left, piece by piece.
+// from there. Zones with heights are looked at by the clearance that is left, piece by piece; of a
+// limit of height that says nothing.
 void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const sema::RobotKind& kind,
                     ir::Decision& d) {
   if (from.on_plan) return;
+  const bool limits_height = std::ranges::any_of(
+      from.priority, [&](sema::MonitorId id) { return sema::speaks_of_height(*spec[id].always); });
   for (const sema::MonitorId id : from.priority) {
     if (!spec[id].recover) continue;
     for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
@@ -210,7 +214,7 @@ void keep_off_walls(const sema::Spec& spec, const sema::Decision& from, const se
       if (!speed) continue;
       if (kind.in_space) {
         const auto moves = sema::moves_of(what);
-        if (!moves || spec[moves->zone].has_height) continue;
+        if (!moves || (spec[moves->zone].has_height && !limits_height)) continue;
         d.body.hold_mm = std::max(d.body.hold_mm, stray_mm(d.body, *speed, d.period_us));
         continue;
       }

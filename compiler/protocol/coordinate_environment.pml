@@ -7,7 +7,7 @@
                        driver != 0 && !stays_idle(i) && (i) / MONITORS != own)
 
 /* A recovery that cannot drive next nobody asks for. */
-#define may_drive(i) (engaged[i] || speaks[i] || false_now[i] || (open == i && before != 0))
+#define may_drive(i) (engaged[i] || speaks[i] || open == i)
 
 inline choose_ahead_of(i) {
   asked[i] = 1;

@@ -95,7 +95,7 @@ inline choose_check(m) {
      fi;
      if
      :: calm && m == own && !asks[m] /* not home */
-     :: else -> either(safer)
+     :: else -> either(safer); clear = (clear || safer)
      fi
   fi;
   if

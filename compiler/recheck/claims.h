@@ -37,6 +37,8 @@ class Claims {
   // What one monitor asks for of its zones, the body included.
   [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,
                                           const Rational& extra) const;
+  // What legs in space at that speed keep free, at least, without a standoff.
+  [[nodiscard]] Rational leg_in_space(const sema::Decision& d, const Rational& speed) const;
   // What the legs of a recovery within a zone keep free, at least: what a look-ahead by its own
   // limits asks for at its speed, whichever monitor looks furthest, and what its monitor says of
   // that zone.

@@ -386,7 +386,9 @@ std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decisio
                                      const Claims& claims, const sema::Controller& recovery,
                                      sema::ZoneId zone) {
   bool loiters = false;
+  Rational fastest = 0;
   for (const sema::Template& what : sema::templates_of(recovery)) {
+    fastest = std::max(fastest, sema::speed_of(what).value_or(Rational(0)));
     const auto moves = sema::moves_of(what);
     if (!moves || moves->zone != zone) continue;
     if (std::holds_alternative<sema::Loiter>(what)) {
@@ -396,17 +398,17 @@ std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decisio
     }
   }
   if (sema::claim_of(recovery)) return std::nullopt;
-  Rational back = 0, leg = 0, gap = 0;
+  Rational back = 0, gap = 0;
   for (const sema::MonitorId id : d.priority) {
     const sema::Monitor& m = spec[id];
     if (m.return_when) return std::nullopt;
     back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
-    if (&spec[*m.recover] == &recovery) leg = std::max(leg, claims.leg_clearance(d, m, zone));
     for (const sema::ZoneId each : all_zones(*m.always)) {
       gap = std::max(gap, gap_of(spec, *m.always, each));
     }
   }
   const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
+  const Rational leg = claims.leg_in_space(d, fastest) + gap;
   const Rational lap(1, 2), strays = leg - n.radius;
   const Rational looks_for =
       std::max(Rational(back + gap), leg) + n.sway +

@@ -5,6 +5,7 @@
 #include "compiler/interp/number.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
 
 namespace rtac::recheck {
 namespace {
@@ -61,6 +62,9 @@ Rational led_beside(const sema::Spec& spec, const sema::Decision& decision, cons
   const sema::RobotKind& kind = spec[decision.kind];
   Rational most = 0;
   if (decision.on_plan) return most;
+  const bool limits_height = std::ranges::any_of(decision.priority, [&](sema::MonitorId id) {
+    return sema::speaks_of_height(*spec[id].always);
+  });
   for (const sema::MonitorId id : decision.priority) {
     if (!spec[id].recover) continue;
     for (const sema::Template& what : sema::templates_of(spec[*spec[id].recover])) {
@@ -69,7 +73,7 @@ Rational led_beside(const sema::Spec& spec, const sema::Decision& decision, cons
       if (!speed) continue;
       if (!kind.in_space) {
         most = std::max(most, Rational(beside_way(kind, decision, *speed) - beside_least));
-      } else if (moves && !spec[moves->zone].has_height) {
+      } else if (moves && (!spec[moves->zone].has_height || limits_height)) {
         most = std::max(most, stopped_beside(n, *speed));
       }
     }

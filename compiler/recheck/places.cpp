@@ -22,6 +22,13 @@ using Found = std::optional<Doubt>;
 Rational ahead_of(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& m) {
   return m.ahead.duration ? m.ahead.duration->value : least_ahead(spec, d, m);
 }
+Rational longest_ahead(const sema::Spec& spec, const sema::Decision& d) {
+  Rational ahead = 0;
+  for (const sema::MonitorId id : d.priority) {
+    if (!spec[id].ahead.waypoints_only) ahead = std::max(ahead, ahead_of(spec, d, spec[id]));
+  }
+  return ahead;
+}
 // Of a robot at rest whose monitors look so far ahead.
 Rational clear_at_rest(const sema::Spec& spec, const sema::Decision& d, const Rational& ahead) {
   const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
@@ -58,15 +65,17 @@ Rational Claims::leg_clearance(const sema::Decision& d, const sema::Monitor& m,
   const std::vector<sema::Template> steps = sema::templates_of(spec_[*m.recover]);
   const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
   if (!moves) return kind.radius.value;
-  Rational ahead = 0;
-  for (const sema::MonitorId id : d.priority) {
-    if (!spec_[id].ahead.waypoints_only) ahead = std::max(ahead, ahead_of(spec_, d, spec_[id]));
-  }
   // of a sequence, an earlier step may be the one that steers worst
   const bool steers = !kind.in_space && steps.size() == 1;
-  return cruising_clearance(numbers_of(spec_, d, jitter_of(spec_, d)), moves->speed, ahead) +
+  return cruising_clearance(numbers_of(spec_, d, jitter_of(spec_, d)), moves->speed,
+                            longest_ahead(spec_, d)) +
          (steers ? beside_way(kind, d, moves->speed) : beside_least) +
          gap_of(spec_, *m.always, zone);
+}
+
+Rational Claims::leg_in_space(const sema::Decision& d, const Rational& speed) const {
+  const Numbers n = numbers_of(spec_, d, jitter_of(spec_, d));
+  return cruising_clearance(n, speed, longest_ahead(spec_, d)) + beside_least;
 }
 
 // The place of a claim is in the zone, as far from its boundary.
@@ -207,7 +216,9 @@ Found Claims::height(const Values& v) {
   const std::set<std::string> but = names_in(text(v, "but"));
   for (const sema::MonitorId id : d->priority) {
     if (but.contains(spec_[id].name)) continue;  // what inputs alone make true
-    const Rational room = return_clearance(*d, spec_[id], micro(*extra));
+    // of the centre
+    const Rational room =
+        return_clearance(*d, spec_[id], micro(*extra)) - spec_[d->kind].radius.value;
     if (sema::speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
       return wrong("a robot at rest with that clearance may not be given back");
     }
@@ -252,7 +263,8 @@ Found Claims::landing(const Values& v) {
   const std::vector<sema::Template> steps = sema::templates_of(spec_[*m->recover]);
   const auto* const land = steps.empty() ? nullptr : std::get_if<sema::Land>(&steps.back());
   if (land == nullptr || milli(*end) < land->height.value) return wrong("it does not land there");
-  if (milli(*gap) < return_clearance(*d, *m, micro(*extra))) {
+  const Rational& radius = spec_[d->kind].radius.value;  // limits are of the centre
+  if (milli(*gap) < return_clearance(*d, *m, micro(*extra)) - radius) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   const bool high = !keeps_heights(spec_, *m->always, true, milli(*end), milli(*gap));

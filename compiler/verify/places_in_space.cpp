@@ -44,13 +44,15 @@ bool has_height_beside_others(const sema::Expr& e) {
   return std::ranges::any_of(logic->operands,
                              [](const auto& each) { return has_height_beside_others(*each); });
 }
-Band band_of(const Subject& s) {
+Band band_of(const Subject& s, std::optional<std::size_t> but = std::nullopt) {
   Band band;
   for (std::size_t k = 0; k < s.decision.monitors.size(); ++k) {
     const ir::Monitor& m = s.decision.monitors[k];
-    if (!s.looks_at_places(k)) continue;
+    if (!s.looks_at_places(k) || k == but) continue;
     band.beside_others = band.beside_others || has_height_beside_others(*s.monitor(k).always);
-    const std::int64_t gap = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+    // of the centre
+    const std::int64_t gap = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) -
+                             s.decision.body.radius_mm;
     ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
       const auto most = ir::upper_bound(block, c);
       if (most && most->leaf.kind == ir::Leaf::Kind::altitude) {
@@ -94,8 +96,7 @@ class Together {
         needs_(all_of(joint)),
         band_(band_of(s)),
         charged_(asks_for_charge(s)) {
-    band_.least_mm = std::max(band_.least_mm, joint.low_mm);
-    band_.most_mm = std::min(band_.most_mm, joint.high_mm);
+    keep_to_conditions();
   }
 
   Obligation run() {
@@ -144,27 +145,39 @@ class Together {
                  " further apart, a shorter `ahead` or a lower `speed` are needed";
       return o;
     }
-    o.because = "no place is so clear of the boundaries that all monitors give control back there";
-    o.repair = limit_in_the_way().value_or(
+    const auto limit = limit_in_the_way();
+    o.because = limit
+                    ? "no place that is clear enough of the boundaries is at a height at which all "
+                      "monitors give control back"
+                    : "no place is so clear of the boundaries that all monitors give control back "
+                      "there";
+    o.repair = limit.value_or(
         "zones that share more room, a shorter `ahead` or a lower `speed` are needed");
     return o;
   }
 
  private:
-  // How much a limit of height has to leave more, where without it there would be a place.
+  void keep_to_conditions() {
+    band_.least_mm = std::max(band_.least_mm, joint_.low_mm);
+    band_.most_mm = std::min(band_.most_mm, joint_.high_mm);
+  }
+  // How much more one monitor's limit of height has to leave, where without that there is a place.
   [[nodiscard]] std::optional<std::string> limit_in_the_way() const {
-    Together higher = *this, lower = *this;
-    higher.band_.most_mm = Band().most_mm;
-    lower.band_.least_mm = Band().least_mm;
-    const geometry::Solid above = higher.common(-2, std::nullopt);
-    const geometry::Solid below = lower.common(-2, std::nullopt);
-    if (!above.empty()) {
-      const std::int64_t lowest_mm = ceil_to_int(Rational(above.slabs().front().floor * 1000));
-      return "a limit of height that is " + metres(lowest_mm - band_.most_mm) + " higher is needed";
+    for (std::size_t k = 0; k < s_.decision.monitors.size(); ++k) {
+      Together without = *this;
+      without.band_ = band_of(s_, k);
+      without.keep_to_conditions();
+      const geometry::Solid left = without.common(-2, std::nullopt);
+      if (left.empty()) continue;
+      const std::int64_t low_mm = ceil_to_int(Rational(left.slabs().front().floor * 1000));
+      const std::int64_t high_mm = -ceil_to_int(Rational(left.slabs().back().ceiling * -1000));
+      const std::int64_t higher_mm = low_mm - band_.most_mm, lower_mm = band_.least_mm - high_mm;
+      if (higher_mm <= 0 && lower_mm <= 0) continue;
+      return "a limit of height of " + quoted(s_.decision.monitors[k].name) + " that is " +
+             (higher_mm > 0 ? metres(higher_mm) + " higher" : metres(lower_mm) + " lower") +
+             " is needed";
     }
-    if (below.empty()) return std::nullopt;
-    const std::int64_t highest_mm = -ceil_to_int(Rational(below.slabs().back().ceiling * -1000));
-    return "a limit of height that is " + metres(band_.least_mm - highest_mm) + " lower is needed";
+    return std::nullopt;
   }
   [[nodiscard]] bool is_clear_of(const std::vector<Need>& zones, const Spot& spot) const {
     const geometry::Point p{in_m(spot.x_mm), in_m(spot.y_mm)};

@@ -168,6 +168,35 @@ TEST(Heights, NobodyClaimsTheHeightOfWhatIsExternal) {
                      "to 5 m"});
 }
 
+// Stopped on its way it comes to rest beside its leg, above it as well: of a limit of height the
+// clearance of its zone says nothing.
+TEST(Heights, ALimitIsKeptOffAsWallsOfThePlaneAre) {
+  const auto hold_mm = [](const std::string& zone, const std::string& more) {
+    const auto c = compiled(
+        "spec sky;\nzone flat = rectangle (0 m, 0 m) to (60 m, 50 m);\n"
+        "zone tall = prism (flat) from 2 m to 40 m;\n"
+        R"(robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
+  sense position : point3 error 5 cm max_age 50 ms;
+  sense velocity : vector3 error 5 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 20 ms;
+}
+fleet q : Quad;
+controller policy : advanced for Quad extern;
+controller back : safe for Quad = retreat within )" +
+        zone + " speed 2 m/s;\nmonitor cage for r : Quad { \"R1\" always r inside " + zone + more +
+        "; recover back; }\ndecision fly for Quad { advanced policy; "
+        "period 50 ms; priority cage; }\n");
+    return c->module ? c->module->decisions.front().body.hold_mm : 0;
+  };
+  const std::int64_t flat_mm = hold_mm("flat", ""), tall_mm = hold_mm("tall", "");
+  EXPECT_GT(tall_mm, 0);
+  EXPECT_LT(tall_mm, flat_mm);
+  EXPECT_EQ(hold_mm("tall", " and r.position.z <= 40 m"), flat_mm);
+}
+
 // It comes to rest some centimetres beside where it lands.
 TEST(Heights, ALandingStraysFromItsEnd) {
   EXPECT_EQ(broken_by("down", "r.position.z >= 1 m"), breaks_height("down"));

@@ -55,7 +55,8 @@ TEST_F(Level, NotWhereControlReturnsElsewhere) {
 TEST_F(Level, ALimitInTheWayOfAllIsToldHowMuchMoreItHasToLeave) {
   const auto needed = [](const std::string& text, const std::string& which) {
     const Outcome o = verified(text, {"--attack", "1"});
-    const std::string before = "a limit of height that is ", after = " m " + which + " is needed";
+    const std::string before = "a limit of height of `level` that is ",
+                      after = " m " + which + " is needed";
     const std::size_t at = o.out.find(before), end = o.out.find(after);
     EXPECT_NE(end, std::string::npos) << o.out;
     return end == std::string::npos ? 0 : std::stod(o.out.substr(at + before.size()));
@@ -93,6 +94,10 @@ TEST_F(Level, ALimitNearAnEndIsDenied) {
   const std::string text = "C of `level` while `back` drives: `back` may go beyond";
   prove(page(below(8)));
   expect_noticed_in("spec.rta", below(8), below(3), text);
+  // the fastest step counts
+  const std::string steps = "sequence retreat within sky speed 2 m/s for 30 s then retreat";
+  prove(page(below(12), steps));
+  expect_noticed_in("spec.rta", below(12), below(5.5), text);
   // who loiters looks for more room
   prove(page(below(8), "loiter"));
   expect_noticed_in("spec.rta", below(8), below(4), text);
