@@ -36,6 +36,10 @@ std::int64_t fastest_mmps(const ir::Body& body, std::int64_t pushed_mmps, std::i
 // robot at rest, in spite of noise (theory: rho_ret + r_eff, plus one more position error because
 // the recovery steers by measurements).
 std::int64_t return_clearance_mm(const ir::Decision& decision, std::int64_t lookahead_us);
+// The same from a limit of height, which counts for the centre.
+inline std::int64_t return_height_mm(const ir::Decision& decision, std::int64_t lookahead_us) {
+  return return_clearance_mm(decision, lookahead_us) - decision.body.radius_mm;
+}
 // Clearance of the centre at which a robot at rest is seen to keep the claim of an external
 // recovery with that motion, in spite of noise.
 std::int64_t claim_clearance_mm(const ir::Decision& decision, const ir::Motion& motion,

@@ -167,11 +167,9 @@ class InSpace {
     const std::int64_t top_mm = zone.slabs.back().ceiling_mm;
     const std::int64_t bottom_mm = zone.slabs.front().floor_mm;
     const auto [lowest_mm, highest_mm] = led_between_mm(decision_, step, zone);
-    // of the centre, where control is given back: what it has of the ends of its zone there is
-    // enough for limits near them
-    const std::int64_t gap_mm =
-        return_clearance_mm(decision_, monitor_.lookahead.duration_us) - decision_.body.radius_mm;
-    const std::int64_t spare_mm = step.return_clearance_mm - gap_mm;
+    // where it is given back, what it has of the ends of its zone is enough for limits near them
+    const std::int64_t spare_mm =
+        step.return_clearance_mm - return_height_mm(decision_, monitor_.lookahead.duration_us);
     const bool high = most_mm_ && std::max(highest_mm, top_mm - spare_mm) > *most_mm_;
     const bool low = least_mm_ && std::min(lowest_mm, bottom_mm + spare_mm) < *least_mm_;
     if (!high && !low) return std::nullopt;

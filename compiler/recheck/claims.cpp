@@ -410,6 +410,11 @@ bool keeps_heights(const sema::Spec& spec, const sema::Expr& property, bool valu
   const auto room = room_at(spec, property, value, z, which);
   return !room || *room >= gap;
 }
+bool keeps_heights_inside(const sema::Spec& spec, const sema::Expr& property, bool value,
+                          const geometry::Solid& solid, const Rational& left, const Rational& gap) {
+  return keeps_heights(spec, property, value, solid.slabs().front().floor + left, gap) &&
+         keeps_heights(spec, property, value, solid.slabs().back().ceiling - left, gap);
+}
 
 Found Claims::lasts(const Values& v) {
   const sema::Decision* const d = decision(v);

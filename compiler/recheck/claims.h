@@ -37,6 +37,11 @@ class Claims {
   // What one monitor asks for of its zones, the body included.
   [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,
                                           const Rational& extra) const;
+  // The same of a limit of height, which counts for the centre.
+  [[nodiscard]] Rational return_height(const sema::Decision& d, const sema::Monitor& m,
+                                       const Rational& extra) const {
+    return return_clearance(d, m, extra) - spec_[d.kind].radius.value;
+  }
   // What legs in space at that speed keep free, at least, without a standoff.
   [[nodiscard]] Rational leg_in_space(const sema::Decision& d, const Rational& speed) const;
   // What the legs of a recovery within a zone keep free, at least: what a look-ahead by its own
@@ -124,6 +129,9 @@ inline bool is_unsound(const sema::Ahead& ahead) {
 enum class Heights { all, from_below, from_above };
 bool keeps_heights(const sema::Spec& spec, const sema::Expr& property, bool value,
                    const Rational& z, const Rational& gap, Heights which = Heights::all);
+// The same wherever something is so far inside of a solid, `left`.
+bool keeps_heights_inside(const sema::Spec& spec, const sema::Expr& property, bool value,
+                          const geometry::Solid& solid, const Rational& left, const Rational& gap);
 // The zones that a recovery moves within, of all of its steps.
 std::vector<sema::ZoneId> moves_within(const sema::Controller& controller);
 

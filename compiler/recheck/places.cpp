@@ -131,11 +131,7 @@ bool Claims::lets_go_at_height(const sema::Decision& d, const sema::Monitor& m, 
   if (zones_.region(zone) != nullptr || !solid || solid->empty()) return true;
   if (Sides(spec_, d, *this).holds_of_slow(spec_[*m.recover], *m.always)) return true;
   const Rational extra = return_extra(spec_, d), left = clear_where_led(d, zone, extra);
-  const Rational gap = return_clearance(d, m, extra) - spec_[d.kind].radius.value;
-  return keeps_heights(spec_, *m.always, true, solid->slabs().front().floor + left, gap,
-                       Heights::from_below) &&
-         keeps_heights(spec_, *m.always, true, solid->slabs().back().ceiling - left, gap,
-                       Heights::from_above);
+  return keeps_heights_inside(spec_, *m.always, true, *solid, left, return_height(d, m, extra));
 }
 
 Found Claims::legs(const Values& v) {
@@ -216,9 +212,7 @@ Found Claims::height(const Values& v) {
   const std::set<std::string> but = names_in(text(v, "but"));
   for (const sema::MonitorId id : d->priority) {
     if (but.contains(spec_[id].name)) continue;  // what inputs alone make true
-    // of the centre
-    const Rational room =
-        return_clearance(*d, spec_[id], micro(*extra)) - spec_[d->kind].radius.value;
+    const Rational room = return_height(*d, spec_[id], micro(*extra));
     if (sema::speaks_of_height(*spec_[id].always) && milli(*gap) < room) {
       return wrong("a robot at rest with that clearance may not be given back");
     }
@@ -263,8 +257,7 @@ Found Claims::landing(const Values& v) {
   const std::vector<sema::Template> steps = sema::templates_of(spec_[*m->recover]);
   const auto* const land = steps.empty() ? nullptr : std::get_if<sema::Land>(&steps.back());
   if (land == nullptr || milli(*end) < land->height.value) return wrong("it does not land there");
-  const Rational& radius = spec_[d->kind].radius.value;  // limits are of the centre
-  if (milli(*gap) < return_clearance(*d, *m, micro(*extra)) - radius) {
+  if (milli(*gap) < return_height(*d, *m, micro(*extra))) {
     return wrong("a robot at rest with that clearance may not be given back");
   }
   const bool high = !keeps_heights(spec_, *m->always, true, milli(*end), milli(*gap));

@@ -228,10 +228,7 @@ class Condition {
     if (within.empty()) return false;
     const auto solid = claims_.zones().solid(within.back());
     if (!solid || solid->slabs().empty()) return false;
-    return keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().front().floor + rest,
-                         0) &&
-           keeps_heights(spec_, *monitor_.return_when, true, solid->slabs().back().ceiling - rest,
-                         0);
+    return keeps_heights_inside(spec_, *monitor_.return_when, true, *solid, rest, 0);
   }
   // It goes on in laps where it has been led to; at a place it stays.
   [[nodiscard]] bool loiters() const {

@@ -467,14 +467,9 @@ Sides::Back Sides::back_of_leaf(const Rests& rests, const Part& part, bool eithe
     const auto solid = claims_.zones().solid(*rests.own);
     if (!solid || solid->slabs().empty()) return Back::no;
     const Rational left = claims_.clear_where_led(decision_, *rests.own, rests.extra);
-    const Rational low = solid->slabs().front().floor + left;
-    const Rational top = solid->slabs().back().ceiling - left;
-    // of the centre
-    const Rational gap = rests.clearance - spec_[decision_.kind].radius.value;
-    return keeps_heights(spec_, *part.expr, part.value, low, gap) &&
-                   keeps_heights(spec_, *part.expr, part.value, top, gap)
-               ? Back::yes
-               : Back::no;
+    const Rational gap = claims_.return_height(decision_, rests.monitor, rests.extra);
+    return keeps_heights_inside(spec_, *part.expr, part.value, *solid, left, gap) ? Back::yes
+                                                                                  : Back::no;
   }
   // who keeps its height leads to no other, near floor or ceiling as well
   const bool level = claims_.zones().region(*rests.own) != nullptr;

@@ -221,12 +221,8 @@ class Turns {
     const auto solid = claims_.zones().solid(within.back());
     if (!left_mm || !solid || solid->slabs().empty()) return false;
     const Rational left = Rational(*left_mm) / 1000;
-    const Rational gap =  // of the centre
-        claims_.return_clearance(d_, monitor(j), extra()) - spec_[d_.kind].radius.value;
-    return keeps_heights(spec_, *monitor(j).always, true, solid->slabs().front().floor + left,
-                         gap) &&
-           keeps_heights(spec_, *monitor(j).always, true, solid->slabs().back().ceiling - left,
-                         gap);
+    return keeps_heights_inside(spec_, *monitor(j).always, true, *solid, left,
+                                claims_.return_height(d_, monitor(j), extra()));
   }
   // One side of it may be what rest settles, and another one what a place does: it is not known
   // which of them holds. Where inputs are all that the other sides ask, the one that is settled

@@ -235,8 +235,8 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
 Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
   const ir::Monitor& m = s.decision.monitors[k];
   const std::int64_t end_mm = ir::last_step(m.recovery).land_mm;
-  const std::int64_t gap_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) -
-                              s.decision.body.radius_mm + s.decision.body.hold_mm;  // of the centre
+  const std::int64_t gap_mm =
+      analysis::return_height_mm(s.decision, m.lookahead.duration_us) + s.decision.body.hold_mm;
   std::optional<std::int64_t> most_mm;
   ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
     const auto most = ir::upper_bound(block, c);

@@ -50,9 +50,7 @@ Band band_of(const Subject& s, std::optional<std::size_t> but = std::nullopt) {
     const ir::Monitor& m = s.decision.monitors[k];
     if (!s.looks_at_places(k) || k == but) continue;
     band.beside_others = band.beside_others || has_height_beside_others(*s.monitor(k).always);
-    // of the centre
-    const std::int64_t gap = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us) -
-                             s.decision.body.radius_mm;
+    const std::int64_t gap = analysis::return_height_mm(s.decision, m.lookahead.duration_us);
     ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& c) {
       const auto most = ir::upper_bound(block, c);
       if (most && most->leaf.kind == ir::Leaf::Kind::altitude) {
@@ -313,9 +311,8 @@ bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t ga
   const auto& slabs = s.module[last.zone].slabs;
   const std::int64_t low_mm = slabs.front().floor_mm + last.return_clearance_mm;
   const std::int64_t high_mm = slabs.back().ceiling_mm - last.return_clearance_mm;
-  const std::int64_t of_centre_mm = gap_mm - s.decision.body.radius_mm;
-  return (!most || high_mm + of_centre_mm <= most->most) &&
-         (!least || low_mm - of_centre_mm >= least->need.strictest);
+  return (!most || high_mm + gap_mm <= most->most) &&
+         (!least || low_mm - gap_mm >= least->need.strictest);
 }
 
 namespace {

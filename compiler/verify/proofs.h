@@ -156,8 +156,8 @@ bool asks_for_height(const Subject& s, const JointNeeds& needs);
 // In space: a place, and whether a straight leg leads to one as clear from everywhere in a zone.
 Obligation returns_together_in_space(const Subject& s, const JointNeeds& needs);
 Obligation legs_back(const Subject& s, std::size_t k);
-// Whether a limit of height is kept where a recovery comes to rest as clear of its zone as control
-// returns at. `gap_mm`: what a zone would be asked for, the body included.
+// Whether a limit of height is kept, with `gap_mm` to spare, where a recovery comes to rest as
+// clear of its zone as control returns at.
 bool rests_at_height(const Subject& s, const ir::Recovery& last, std::int64_t gap_mm,
                      const ir::Block& block, const ir::AtLeast& limit);
 

@@ -98,7 +98,7 @@ class Rest {
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {
       all = AtRest::given_back;
       if (leaf.kind == ir::Leaf::Kind::altitude &&
-          !rests_at_height(s_, last_, return_mm_, block, compare)) {
+          !rests_at_height(s_, last_, return_mm_ - s_.decision.body.radius_mm, block, compare)) {
         return AtRest::kept;
       }
       if (leaf.kind == ir::Leaf::Kind::received) return AtRest::kept;

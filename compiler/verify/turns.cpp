@@ -50,7 +50,7 @@ bool leads_back(const Subject& s, std::size_t i) {
 
 // Every limit of height, where a recovery has come to rest.
 bool keeps_heights(const Subject& s, const ir::Recovery& last, const ir::Monitor& m) {
-  const std::int64_t gap_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+  const std::int64_t gap_mm = analysis::return_height_mm(s.decision, m.lookahead.duration_us);
   bool all = true;
   ir::for_each_comparison(m.property, [&](const ir::Block& block, const ir::AtLeast& compare) {
     for (const auto& [leaf, coefficient] : ir::linear_form(block, compare).terms) {

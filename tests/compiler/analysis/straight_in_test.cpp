@@ -173,28 +173,18 @@ TEST(Heights, NobodyClaimsTheHeightOfWhatIsExternal) {
 TEST(Heights, ALimitIsKeptOffAsWallsOfThePlaneAre) {
   const auto hold_mm = [](const std::string& zone, const std::string& more) {
     const auto c = compiled(
-        "spec sky;\nzone flat = rectangle (0 m, 0 m) to (60 m, 50 m);\n"
-        "zone tall = prism (flat) from 2 m to 40 m;\n"
-        R"(robot Quad {
-  body radius 30 cm;
-  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; }
-  sense position : point3 error 5 cm max_age 50 ms;
-  sense velocity : vector3 error 5 cm/s max_age 50 ms;
-  output thrust : acceleration;
-  latency 20 ms;
-}
-fleet q : Quad;
-controller policy : advanced for Quad extern;
-controller back : safe for Quad = retreat within )" +
-        zone + " speed 2 m/s;\nmonitor cage for r : Quad { \"R1\" always r inside " + zone + more +
-        "; recover back; }\ndecision fly for Quad { advanced policy; "
-        "period 50 ms; priority cage; }\n");
+        tower("controller back : safe for Flyer = retreat within " + zone +
+              " speed 0.9 m/s;\nzone tall = prism (flat) from 0 m to 9 m;\n"
+              "monitor cage for r : Flyer { \"SR-1\" always r inside " +
+              zone + more +
+              "; recover back; }\n"
+              "decision fly for Flyer { advanced pilot; period 50 ms; priority cage; }\n"));
     return c->module ? c->module->decisions.front().body.hold_mm : 0;
   };
   const std::int64_t flat_mm = hold_mm("flat", ""), tall_mm = hold_mm("tall", "");
   EXPECT_GT(tall_mm, 0);
   EXPECT_LT(tall_mm, flat_mm);
-  EXPECT_EQ(hold_mm("tall", " and r.position.z <= 40 m"), flat_mm);
+  EXPECT_EQ(hold_mm("tall", " and r.position.z <= 9 m"), flat_mm);
 }
 
 // It comes to rest some centimetres beside where it lands.
