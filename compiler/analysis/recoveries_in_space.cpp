@@ -13,6 +13,7 @@
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/speed_limits.h"
+#include "compiler/analysis/straight_in.h"
 #include "compiler/analysis/zone_trials.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -225,26 +226,11 @@ class InSpace {
   }
   // From outside its zone it makes straight for it, as in the plane: what is convex is not left.
   Found across(const ir::Recovery& step) const {
-    geometry::Solid starts = geometry::Solid::everywhere();
-    for (const ir::Monitor& m : decision_.monitors) {
-      if (m.name != monitor_.name && !relied_on(decision_, m)) continue;
-      for (const auto& either : surely_in(m.property, decision_.facts.params)) {
-        geometry::Solid some;
-        for (const Standoff& each : either) some = some.unite(exact_(each.zone));
-        starts = starts.intersect(some);
-      }
-    }
+    const auto judged = static_cast<std::size_t>(&monitor_ - decision_.monitors.data());
+    const TakeOver take_over{module_, decision_, flat_, exact_, judged};
     for (const ir::ZoneIndex fence : fences()) {
-      const geometry::Solid allowed = exact_(fence);
-      // on the level each slab counts by itself
-      const bool level = !module_[step.zone].has_height();
-      const bool convex = (level || allowed.slabs().size() == 1) &&
-                          std::ranges::all_of(allowed.slabs(), [](const geometry::Slab& slab) {
-                            return is_convex(slab.region);
-                          });
-      if (fence == step.zone || convex) continue;
-      const geometry::Solid from = starts.subtract(exact_(step.zone));
-      if (from.empty()) continue;
+      if (comes_in_within(take_over, step, fence)) continue;
+      const geometry::Solid from = led_in_from(take_over, step.zone, fence);
       const std::string name = name_as_written(module_[fence]);
       diag::Diagnostic d =
           finding(Code::no_way_back, "`" + step.name + "` knows a part of what `" + monitor_.name +

@@ -13,6 +13,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/entry.h"
+#include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
 namespace {
@@ -29,6 +30,30 @@ Held held_at(const TakeOver& at) {
     if (k != at.judged && !relied_on(d, m)) continue;
     for (auto& either : surely_in(m.property, d.facts.params)) all.push_back(std::move(either));
   }
+  return all;
+}
+
+// The least that any comparison with a clearance of the fence asks for; 0: one has no least.
+std::int64_t least_asked_mm(const TakeOver& at, ir::ZoneIndex fence) {
+  const auto of_fence = [&](const auto& term) {
+    const ir::Leaf& leaf = term.first;
+    return leaf.kind == ir::Leaf::Kind::clearance && ir::ZoneIndex{leaf.table} == fence;
+  };
+  std::optional<std::int64_t> least_mm;
+  const ir::Block& property = at.decision.monitors[at.judged].property;
+  ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
+    if (std::ranges::none_of(ir::linear_form(block, compare).terms, of_fence)) return;
+    const auto bound = ir::lower_bound(block, compare, at.decision.facts.params);
+    const std::int64_t mm = bound ? std::max<std::int64_t>(bound->need.laxest, 0) : 0;
+    least_mm = std::min(least_mm.value_or(mm), mm);
+  });
+  return least_mm.value_or(0);
+}
+// Where the property holds by what it asks of that fence. Where it holds by another side of an `or`
+// alone, nothing is asked of the way with regard to that fence, which the recovery leads back to.
+Held held_by(const TakeOver& at, ir::ZoneIndex fence) {
+  Held all = held_at(at);
+  all.push_back({{fence, least_asked_mm(at, fence)}});
   return all;
 }
 
@@ -73,32 +98,40 @@ std::optional<Region> inside_of(const TakeOver& at, ir::ZoneIndex zone, std::int
   return found->second;
 }
 
+// How far a body takes its centre off a boundary, and so much more, but for what offsets round.
+std::int64_t body_in_mm(const TakeOver& at, std::int64_t off_mm = 0) {
+  return std::max<std::int64_t>(at.decision.body.radius_mm + off_mm - offsets_round_mm, 0);
+}
 // Bodies with their centres there lie in the zone, so far from its boundary.
 bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres, std::int64_t off_mm) {
-  const std::int64_t body_mm =
-      std::max<std::int64_t>(at.decision.body.radius_mm + off_mm - offsets_round_mm, 0);
-  const auto inside = inside_of(at, zone, body_mm);
+  const auto inside = inside_of(at, zone, body_in_mm(at, off_mm));
   return inside && inside->contains(centres);
+}
+
+// In space: where bodies may be that do not lie in the zone.
+Solid held_outside(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
+  const Rational by = metres_of(body_in_mm(at));
+  const Rational upright = at.module[zone].has_height() ? by : Rational(0);
+  return where_held<Solid>(at, held, centres_in_space).subtract(at.solid(zone).shrink(by, upright));
+}
+
+bool all_within(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
+  const auto is_zone = [&](const std::vector<Standoff>& either) {
+    return either.size() == 1 && either[0].zone == zone;
+  };
+  if (std::ranges::any_of(held, is_zone)) return true;
+  if (at.decision.body.in_space) return held_outside(at, held, zone).empty();
+  return fits_all(at, zone, centres_where_held(at, held), 0);
 }
 
 }  // namespace
 
 bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
-  const Held held = held_at(at);
-  const auto is_zone = [&](const std::vector<Standoff>& either) {
-    return either.size() == 1 && either[0].zone == zone;
-  };
-  if (std::ranges::any_of(held, is_zone)) return true;
-  const std::int64_t body_mm =
-      std::max<std::int64_t>(at.decision.body.radius_mm - offsets_round_mm, 0);
-  if (at.decision.body.in_space) {
-    const Rational by = metres_of(body_mm);
-    const Rational upright = at.module[zone].has_height() ? by : Rational(0);
-    return where_held<Solid>(at, held, centres_in_space)
-        .subtract(at.solid(zone).shrink(by, upright))
-        .empty();
-  }
-  return fits_all(at, zone, centres_where_held(at, held), 0);
+  return all_within(at, held_at(at), zone);
+}
+
+Solid led_in_from(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence) {
+  return held_outside(at, held_by(at, fence), zone);
 }
 
 std::string begins_inside(const ir::ZoneTable& zone) {
@@ -116,7 +149,8 @@ std::int32_t in_mm(std::int64_t length) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(length, 0, 1 << 29));
 }
 // How far from the boundary of the fence a body has to be, beyond touching it: with the laxest
-// parameters, and with the strictest. `alike`: with all of them each body is as far as is asked.
+// parameters, and with the strictest, where something is asked of that fence. `alike`: with all of
+// them each body is as far as is asked.
 struct Asked {
   std::int64_t laxest_mm = 0, strictest_mm = 0;
   bool alike = false;
@@ -126,6 +160,7 @@ Asked asked_of(const TakeOver& at, ir::ZoneIndex fence) {
   int sure = 0, all = 0;
   const ir::Decision& d = at.decision;
   const ir::Block& property = d.monitors[at.judged].property;
+  asked.laxest_mm = least_asked_mm(at, fence);
   for (const auto& either : surely_in(property, d.facts.params)) {
     if (either.size() != 1 || either[0].zone != fence) continue;
     asked.laxest_mm = std::max(asked.laxest_mm, either[0].mm);
@@ -204,7 +239,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   const Asked asked = asked_of(at, fence);
   const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
   const Region rested =
-      where_held<Region>(at, held_at(at), [&](const TakeOver& from, const Standoff& held) {
+      where_held<Region>(at, held_by(at, fence), [&](const TakeOver& from, const Standoff& held) {
         return centres(from, {held.zone, held.mm + strays_mm});
       });
   // Whoever has as much to spare in the zone keeps that on its ways, and what the zone is farther
@@ -257,7 +292,7 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const ir::ZoneIndex zone = step.zone;
   if (zone == fence) return true;
   if (!at.module[fence].has_height()) {
-    if (is_convex(at.exact(fence)) || starts_within(at, zone)) return true;
+    if (is_convex(at.exact(fence)) || all_within(at, held_by(at, fence), zone)) return true;
     return !at.decision.body.in_space && enters_within(at, step, fence);
   }
   const Solid solid = at.solid(fence);
@@ -266,7 +301,7 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const bool convex = one && std::ranges::all_of(solid.slabs(), [](const geometry::Slab& slab) {
                         return is_convex(slab.region);
                       });
-  return convex || starts_within(at, zone);
+  return convex || all_within(at, held_by(at, fence), zone);
 }
 
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,

@@ -39,6 +39,10 @@ struct TakeOver {
 // also where that is not known: an outline of very many vertices is not offset.
 bool starts_within(const TakeOver& at, ir::ZoneIndex zone);
 
+// In space: where the centres of bodies may be that are led into the zone from outside of it while
+// the property asks something of that fence.
+geometry::Solid led_in_from(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence);
+
 // What makes it so.
 std::string begins_inside(const ir::ZoneTable& zone);
 

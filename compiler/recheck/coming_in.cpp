@@ -113,6 +113,33 @@ std::vector<Either> held_at(const sema::Spec& spec, const sema::Decision& d,
   return all;
 }
 
+// The least that is asked of the fence wherever something is; 0 of what is not read.
+Rational least_said(const sema::Spec& spec, const sema::Expr& e, bool value, sema::ZoneId fence,
+                    const Rational& least) {
+  const Operands parts = operands_of(e, value);
+  if (!parts.of.empty()) {
+    Rational all = least;
+    for (const auto& [part, wanted] : parts.of) {
+      all = std::min(all, least_said(spec, *part, wanted, fence, least));
+    }
+    return all;
+  }
+  if (std::ranges::count(all_zones(e), fence) == 0) return least;
+  const auto held = held_by(spec, e, value);
+  return held ? std::min(least, held->gap) : Rational(0);
+}
+Rational least_said(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fence) {
+  return least_said(spec, property, true, fence, gap_of(spec, property, fence));
+}
+// Where a property that has several sides holds by what it says of the fence; by another side of an
+// `or`, the way has nothing to keep of that, and the recovery leads there.
+std::vector<Either> held_by_fence(const sema::Spec& spec, const sema::Decision& d,
+                                  const sema::Monitor& judged, sema::ZoneId fence) {
+  std::vector<Either> all = held_at(spec, d, judged);
+  all.push_back({{fence, least_said(spec, *judged.always, fence)}});
+  return all;
+}
+
 // What is left of a zone so far inside; of one of the plane no less up and down.
 geometry::Solid within(NamedZones& zones, sema::ZoneId zone, const Rational& by) {
   const auto solid = zones.solid(zone);
@@ -135,11 +162,8 @@ geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
 // Of numbers that the compiler rounds up to millimetres, m.
 const Rational rounding(4, 1000);
 
-}  // namespace
-
-bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                   const sema::Monitor& judged, sema::ZoneId zone) {
-  const std::vector<Either> held = held_at(spec, d, judged);
+bool all_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                const std::vector<Either>& held, sema::ZoneId zone) {
   const auto is_zone = [&](const Either& e) { return e.size() == 1 && e[0].zone == zone; };
   if (std::ranges::any_of(held, is_zone)) return true;
   NamedZones& zones = claims.zones();
@@ -147,6 +171,13 @@ bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const Rational radius = spec[d.kind].radius.value;
   const Rational body = std::max(Rational(radius - offsets_round), Rational(0));
   return where_held(zones, held, radius).subtract(within(zones, zone, body)).empty();
+}
+
+}  // namespace
+
+bool starts_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                   const sema::Monitor& judged, sema::ZoneId zone) {
+  return all_within(spec, d, claims, held_at(spec, d, judged), zone);
 }
 
 namespace {
@@ -189,8 +220,8 @@ Rational highest(Rational low, Rational high, const Is& is) {
 }
 
 // How far from the boundary of the fence bodies have to be, beyond touching it, where parameters
-// are laxest and where they are strictest. `kept`: as much as they ask is all that is said of the
-// fence, of every body.
+// are laxest and where they are strictest, and something is said of the fence. `kept`: as much as
+// they ask is all that is said of it, of every body.
 struct Off {
   Rational laxest = 0, strictest = 0;
   bool kept = false;
@@ -199,6 +230,8 @@ Off off_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fenc
   std::vector<Either> holds;
   collect(spec, property, true, holds);
   Off off;
+  off.strictest = gap_of(spec, property, fence);
+  off.laxest = least_said(spec, property, fence);
   std::ptrdiff_t sure = 0, said = 0;
   for (const Either& sides : holds) {
     if (sides.size() != 1 || sides[0].zone != fence) continue;
@@ -212,7 +245,6 @@ Off off_of(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fenc
       ++said;
     }
   });
-  off.strictest = gap_of(spec, property, fence);
   off.kept = sure == said;
   return off;
 }
@@ -308,7 +340,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const Rational& radius = spec[d.kind].radius.value;
   const Off off = off_of(spec, *judged.always, fence);
   const geometry::Solid starts =
-      where_held(claims.zones(), held_at(spec, d, judged), radius + ways->strays);
+      where_held(claims.zones(), held_by_fence(spec, d, judged, fence), radius + ways->strays);
   const auto led_by =
       strictest_led(claims.zones(), {zone, fence, radius, ways->strays}, starts, off);
   if (!led_by) return true;
@@ -354,7 +386,8 @@ bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& cl
                      const Values& v) {
   if (zone == fence) return true;
   const bool level = claims.zones().region(zone) != nullptr;
-  return claims.zones().convex(fence, level) || starts_within(spec, d, claims, judged, zone) ||
+  return claims.zones().convex(fence, level) ||
+         all_within(spec, d, claims, held_by_fence(spec, d, judged, fence), zone) ||
          enters_within(spec, d, claims, judged, zone, fence, v);
 }
 

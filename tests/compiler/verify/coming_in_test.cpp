@@ -387,6 +387,43 @@ decision go for Cart { advanced pilot; period 50 ms; priority walls > deep; }
   EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
 }
 
+// What lies near a cell is led out of there without a permit, and nothing is asked of the way; who
+// keeps what is asked is in the zone already. It is not where the zone is nearer than that.
+TEST_F(ComingIn, WhereAnotherSideAllowsAPlaceNothingIsAskedOfTheWayOutOfIt) {
+  const auto page = [](const std::string& off) {
+    return R"(spec cell;
+input permit : bool max_age 1 s;
+zone hall = rectangle (0 m, 0 m) to (30 m, 18 m);
+zone cell = rectangle (22 m, 6 m) to (28 m, 12 m);
+zone open = hall - grow(cell, )" +
+           off + R"();
+robot Cart {
+  body     radius 25 cm;
+  motion   point { speed <= 1 m/s; accel <= 1.5 m/s^2; brake >= 1.5 m/s^2; }
+  sense    position : point  error 2 cm   max_age 50 ms;
+  sense    velocity : vector error 2 cm/s max_age 50 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Cart;
+controller nav  : advanced for Cart extern;
+controller back : safe for Cart = retreat within open speed 0.3 m/s;
+monitor keep for r : Cart { "SR-1" always permit or distance(r, cell) >= 50 cm; recover back; }
+monitor walls for r : Cart { "SR-2" always r inside hall; recover back; }
+decision go for Cart { advanced nav; period 50 ms; priority keep > walls; }
+)";
+  };
+  const Json proved = report_of(page("50 cm"));
+  EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
+  EXPECT_EQ(rechecked(proved).status, exit_clean);
+  Json nearer = report_of(page("40 cm"));
+  EXPECT_EQ(p2a_of(nearer)["status"], "unknown") << p2a_of(nearer);
+  for (Json& o : nearer["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a" && o["monitor"] == "keep") o = p2a_of(proved);
+  }
+  expect_denied(nearer, "it is not contained");
+}
+
 TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
   for (const char* const by : {"42 cm", "50 cm", "1 m"}) {
     const Json report = report_of(off_a_pond("room - grow(pond, " + std::string(by) + ")"));
