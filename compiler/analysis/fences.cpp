@@ -108,7 +108,8 @@ void collect(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
 
 // What each value of a property speaks of.
 struct Spoken {
-  bool inputs = false, places = false, own_speed = false, charge_or_height = false;
+  bool inputs = false, places = false, own_speed = false;
+  bool given = false;  // charge, height, or how far an agent is: these suit where control returns
 };
 std::vector<Spoken> spoken_of(const ir::Block& block) {
   std::vector<Spoken> all;
@@ -127,21 +128,21 @@ std::vector<Spoken> spoken_of(const ir::Block& block) {
                  std::holds_alternative<ir::CountOthers>(op) ||
                  std::holds_alternative<ir::ReceivedClearance>(op);
     own.own_speed = std::holds_alternative<ir::Speed>(op);
-    own.charge_or_height = std::holds_alternative<ir::Battery>(op) ||
-                           std::holds_alternative<ir::EnergyTo>(op) ||
-                           std::holds_alternative<ir::Altitude>(op);
+    own.given =
+        std::holds_alternative<ir::Battery>(op) || std::holds_alternative<ir::EnergyTo>(op) ||
+        std::holds_alternative<ir::Altitude>(op) || std::holds_alternative<ir::AgentDistance>(op);
     if (const auto* others = std::get_if<ir::ForOthers>(&op)) {
       const Spoken of = spoken_of(*others->body)[static_cast<std::size_t>(others->body->result)];
       own.inputs = own.inputs || of.inputs;
       own.own_speed = own.own_speed || of.own_speed;
-      own.charge_or_height = own.charge_or_height || of.charge_or_height;
+      own.given = own.given || of.given;
     }
     ir::for_each_operand(op, [&](const ir::ValueId id) {
       const Spoken& of = all[static_cast<std::size_t>(id)];
       own.inputs = own.inputs || of.inputs;
       own.places = own.places || of.places;
       own.own_speed = own.own_speed || of.own_speed;
-      own.charge_or_height = own.charge_or_height || of.charge_or_height;
+      own.given = own.given || of.given;
     });
     all.push_back(own);
   }
@@ -155,7 +156,7 @@ bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   }
   const Spoken& of = spoken[static_cast<std::size_t>(id)];
   const bool either = std::holds_alternative<ir::Or>(block[id].op);
-  const bool of_speeds = of.own_speed && !of.places && !of.inputs && !of.charge_or_height;
+  const bool of_speeds = of.own_speed && !of.places && !of.inputs && !of.given;
   if (either && of_speeds) return at_rest.holds(id);
   if (!of.places || (!either && !of.inputs && !of.own_speed)) return true;
   if (!of.inputs && holds_far(block, id)) return true;

@@ -291,12 +291,18 @@ class Places {
     const Region from = starts().subtract(own);
     if (from.empty()) return false;
     const WaysIn ways = ways_in(module_, decision_, step, from, allowed);
-    if (ways.leaves) {
-      crosses(step, kept, *ways.leaves, false);
+    // where inputs allow another place, nothing is asked of the way out of it
+    const bool is_fixed = decision_.facts.params.empty();
+    const auto leaves =
+        ways.leaves && is_fixed
+            ? ways_in(module_, decision_, step, from.intersect(allowed), allowed).leaves
+            : ways.leaves;
+    if (leaves) {
+      crosses(step, kept, *leaves, false);
     } else if (ways.stranded) {
       strands(step, kept, *ways.stranded);
     }
-    return ways.leaves || ways.stranded;
+    return leaves || ways.stranded;
   }
   void crosses(const ir::Recovery& step, const Kept& kept, const WaysIn::Leaves& way, bool inside) {
     const std::string zone = "`" + module_[step.zone].name + "`";

@@ -524,8 +524,8 @@ class Judge {
   }
   // No charge is enough where there is no way.
   Finding cramped(ir::SiteIndex site, std::int64_t within_mm, const SourceRange& source) const {
-    const auto room = cramped_site(module_, site, within_mm);
-    if (!room) return std::nullopt;
+    const std::vector<Cramped> rooms = cramped_places(module_, site, within_mm);
+    if (rooms.empty()) return std::nullopt;
     const std::string name = "`" + module_[site].name + "`";
     const std::string zone = "`" + module_[module_[site].zone].name + "`";
     const auto text = [](const auto& p) {
@@ -533,16 +533,26 @@ class Judge {
     };
     diag::Diagnostic d = finding(source);
     d.label = "has no way from some places beside " + name;
-    d.notes.push_back({std::nullopt, "control is given back at " + name + ", " + text(room->at) +
+    d.notes.push_back({std::nullopt, "control is given back at " + name + ", " +
+                                         text(rooms.front().at) +
                                          ", if a way is known from all that a robot may reach "
                                          "before its recovery acts, up to " +
                                          metres(within_mm) + " from there in x and in y; " +
                                          "near the boundary of " + zone + " there is none"});
-    const auto works = roomy_place(*room, site, d);
-    d.help = works ? name + " at " + text(works->at) + " works"
-                   : "no site in " + zone + " works: " +
-                         room_for_site(module_[site].zone, within_mm, d)
-                             .value_or("widen it, or lower `ahead`, `speed` or `accel`");
+    std::vector<MovedTo> works;
+    if (of_ != nullptr && of_->trials != nullptr) {  // else nobody reads it
+      works = places_that_work(*of_->trials, fault_of(d.code, d.range), moves_of(rooms, site));
+    }
+    for (const MovedTo& each : works) {
+      d.help += (d.help.empty() ? name : ", and") + " at " + text(each.to) +
+                (works.size() == 1 ? ""
+                                   : " in place of (" + to_decimal(each.from.x) + " m, " +
+                                         to_decimal(each.from.y) + " m)");
+    }
+    d.help += works.empty() ? "no site in " + zone + " works: " +
+                                  room_for_site(module_[site].zone, within_mm, d)
+                                      .value_or("widen it, or lower `ahead`, `speed` or `accel`")
+                            : " works";
     return d;
   }
   // How much wider the zone is with which there is a way from all around its site.
@@ -552,12 +562,18 @@ class Judge {
     return growth_that_works(*of_->trials, zone, exact_->flat(zone), within_mm / 4, 2 * within_mm,
                              fault_of(of.code, of.range));
   }
-  std::optional<OtherPlace> roomy_place(const Cramped& room, ir::SiteIndex site,
-                                        const diag::Diagnostic& of) const {
-    if (of_ == nullptr || of_->trials == nullptr) return std::nullopt;  // nobody reads it
-    const sema::Site::Place* const written = written_place(of_->spec, module_[site], room.at);
-    if (written == nullptr) return std::nullopt;
-    return place_that_works(*of_->trials, fault_of(of.code, of.range), written->range, room.roomy);
+  // Each place once that is written; robots may share one.
+  [[nodiscard]] std::vector<Move> moves_of(const std::vector<Cramped>& rooms,
+                                           ir::SiteIndex site) const {
+    std::vector<Move> moves;
+    for (const Cramped& room : rooms) {
+      const sema::Site::Place* const written = written_place(of_->spec, module_[site], room.at);
+      if (written == nullptr) return {};
+      const bool known = std::ranges::any_of(
+          moves, [&](const Move& each) { return each.written == written->range; });
+      if (!known) moves.push_back({written->range, room.roomy});
+    }
+    return moves;
   }
   // What two comparisons ask for of one signal excludes each other.
   Finding excluded(const ir::Block& block, ir::ValueId id) const {

@@ -81,53 +81,83 @@ const sema::Site::Place* written_place(const sema::Spec& spec, const ir::SiteTab
   return of == spec.sites.end() ? nullptr : written_place(spec, *of, place.robot);
 }
 
-std::optional<OtherPlace> place_that_works(Trials& trials, const Fault& fault,
-                                           const SourceRange& written,
-                                           std::vector<OtherPlace> all) {
-  sema::Site::Place* place = nullptr;
-  for (sema::Site& site : trials.spec().sites) {
-    const auto found = std::ranges::find(site.places, written, &sema::Site::Place::range);
-    if (found != site.places.end()) place = &*found;
+namespace {
+
+// A place of the specification that is tried elsewhere.
+struct Moved {
+  sema::Site::Place* place;
+  sema::Point from;
+  std::vector<OtherPlace> to;  // nearest first, each clearer than the one before
+};
+std::optional<Moved> moved(sema::Spec& spec, const Move& move) {
+  for (sema::Site& site : spec.sites) {
+    const auto found = std::ranges::find(site.places, move.written, &sema::Site::Place::range);
+    if (found == site.places.end() || move.to.empty()) continue;
+    Moved all{&*found, found->position, move.to};
+    const std::int64_t x_mm = floor_to_int(Rational(all.from.x * 1000));
+    const std::int64_t y_mm = floor_to_int(Rational(all.from.y * 1000));
+    std::ranges::stable_sort(all.to, {}, [&](const OtherPlace& p) {
+      const std::int64_t dx = p.at.x_mm - x_mm, dy = p.at.y_mm - y_mm;
+      return dx * dx + dy * dy;  // coordinates differ by 2^30 at most
+    });
+    std::int64_t clearest_mm = -1;
+    std::erase_if(all.to, [&](const OtherPlace& p) {
+      if (p.clearance_mm <= clearest_mm) return true;
+      clearest_mm = p.clearance_mm;
+      return false;
+    });
+    return all;
   }
-  if (place == nullptr || all.empty()) return std::nullopt;
-  const sema::Point from = place->position;
-  const std::int64_t x_mm = floor_to_int(Rational(from.x * 1000));
-  const std::int64_t y_mm = floor_to_int(Rational(from.y * 1000));
-  std::ranges::stable_sort(all, {}, [&](const OtherPlace& p) {
-    const std::int64_t dx = p.at.x_mm - x_mm, dy = p.at.y_mm - y_mm;
-    return dx * dx + dy * dy;  // coordinates differ by 2^30 at most
-  });
-  std::int64_t clearest_mm = -1;
-  std::erase_if(all, [&](const OtherPlace& p) {
-    if (p.clearance_mm <= clearest_mm) return true;
-    clearest_mm = p.clearance_mm;
-    return false;
-  });
-  const auto last = static_cast<std::int64_t>(all.size());
-  const Dial dial{"place " + std::to_string(written.begin) + " of " +
-                      std::to_string(static_cast<int>(fault.code)) + " at " +
-                      std::to_string(fault.begin),
-                  0, last,
-                  [&](std::int64_t k) {
-                    if (k < 1 || k > last) return false;
-                    const PlaceMm& p = all[static_cast<std::size_t>(k - 1)].at;
-                    place->position = {metres_of(p.x_mm), metres_of(p.y_mm)};
-                    return true;
-                  },
-                  [&] { place->position = from; }};
-  const auto works = trials.nearest(dial, 1, fault);
-  if (!works) return std::nullopt;
-  return all[static_cast<std::size_t>(*works - 1)];
+  return std::nullopt;
 }
 
-std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site,
+}  // namespace
+
+std::vector<MovedTo> places_that_work(Trials& trials, const Fault& fault,
+                                      const std::vector<Move>& moves) {
+  std::vector<Moved> all;
+  std::size_t last = 0;
+  std::string name = "place of " + std::to_string(static_cast<int>(fault.code)) + " at " +
+                     std::to_string(fault.begin) + ":";
+  for (const Move& move : moves) {
+    auto each = moved(trials.spec(), move);
+    if (!each) return {};
+    last = std::max(last, each->to.size());
+    name += " " + std::to_string(move.written.begin);
+    all.push_back(std::move(*each));
+  }
+  // each as far as the others, or as far as it goes
+  const auto at = [](const Moved& each, std::int64_t k) {
+    return each.to[std::min(static_cast<std::size_t>(k), each.to.size()) - 1];
+  };
+  const Dial dial{name, 0, static_cast<std::int64_t>(last),
+                  [&](std::int64_t k) {
+                    if (k < 1 || k > static_cast<std::int64_t>(last)) return false;
+                    for (const Moved& each : all) {
+                      const PlaceMm p = at(each, k).at;
+                      each.place->position = {metres_of(p.x_mm), metres_of(p.y_mm)};
+                    }
+                    return true;
+                  },
+                  [&] {
+                    for (const Moved& each : all) each.place->position = each.from;
+                  }};
+  std::vector<MovedTo> found;
+  const auto works = last > 0 ? trials.nearest(dial, 1, fault) : std::nullopt;
+  if (!works) return found;
+  for (const Moved& each : all) found.push_back({each.from, at(each, *works).at});
+  return found;
+}
+
+std::vector<Cramped> cramped_places(const ir::Module& module, ir::SiteIndex site,
                                     std::int64_t radius_mm) {
   const ir::Cells& cells = module[module[site].zone].cells;
+  std::vector<Cramped> all;
   for (const ir::SiteTable::Place& place : module[site].places) {
     if (place.cost_ppm.empty()) continue;
     Blocked blocked(cells, place.cost_ppm);
-    Cramped found{place, {}};
     if (!blocked.around({place.x_mm, place.y_mm}, radius_mm)) continue;
+    Cramped found{place, {}};
     for (std::int64_t row = 0; row < cells.rows; ++row) {
       for (std::int64_t column = 0; column < cells.columns; ++column) {
         const PlaceMm p = blocked.middle(column, row);
@@ -135,9 +165,9 @@ std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site
           found.roomy.push_back({p, blocked.clearance_mm(column, row)});
       }
     }
-    return found;
+    all.push_back(std::move(found));
   }
-  return std::nullopt;
+  return all;
 }
 
 }  // namespace rtac::analysis

@@ -31,18 +31,29 @@ struct OtherPlace {
   PlaceMm at;
   std::int64_t clearance_mm = 0;
 };
-// Of these the nearest to the written one with which the whole specification works, `fault` being
-// gone (trials.h), as far as whatever works has less clear ones alone nearer by.
-std::optional<OtherPlace> place_that_works(Trials& trials, const Fault& fault,
-                                           const SourceRange& written, std::vector<OtherPlace> all);
+// Where a place is written, and what it might be instead.
+struct Move {
+  SourceRange written;
+  std::vector<OtherPlace> to;
+};
+struct MovedTo {
+  sema::Point from;
+  PlaceMm to;
+};
+// One of these for each of the moves: the nearest to the written ones with which the whole
+// specification works, `fault` being gone (trials.h), as far as whatever works has less clear ones
+// alone nearer by. Empty: none.
+std::vector<MovedTo> places_that_work(Trials& trials, const Fault& fault,
+                                      const std::vector<Move>& moves);
 
 // A place of a site that has cells without a way home around it.
 struct Cramped {
   const ir::SiteTable::Place& at;
   std::vector<OtherPlace> roomy;  // of all cells those that have none
 };
-// Of the cells within `radius_mm` of a place of the site, in x and y, each has to have a way.
-std::optional<Cramped> cramped_site(const ir::Module& module, ir::SiteIndex site,
+// Of the cells within `radius_mm` of a place of the site, in x and y, each has to have a way: the
+// places of which one has none.
+std::vector<Cramped> cramped_places(const ir::Module& module, ir::SiteIndex site,
                                     std::int64_t radius_mm);
 
 }  // namespace rtac::analysis

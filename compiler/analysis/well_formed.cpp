@@ -429,9 +429,9 @@ class WellFormed {
     if (of.trials == nullptr || written == nullptr || is_boundless(module_[way.zone])) {
       return std::nullopt;
     }
-    const auto works = place_that_works(*of.trials, fault, written->range, clear_places(way));
-    if (!works) return std::nullopt;
-    return "the place " + place(works->at.x_mm, works->at.y_mm) + " works";
+    const auto works = places_that_work(*of.trials, fault, {{written->range, clear_places(way)}});
+    if (works.empty()) return std::nullopt;
+    return "the place " + place(works[0].to.x_mm, works[0].to.y_mm) + " works";
   }
 
   // A wider zone, or other numbers with which the cell of the site, which is so clear, would do.

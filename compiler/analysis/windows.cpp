@@ -244,10 +244,10 @@ class Planner {
       if (straight && hidden_from(left, point_of(x_mm, y_mm), own, room_m)) continue;
       all.push_back({{x_mm, y_mm}, clear_mm});
     }
-    const auto works =
-        place_that_works(*trials_, fault_of(code, monitor.source), written->range, std::move(all));
-    if (!works) return std::nullopt;
-    return "`" + site.name + "` at " + place_text(works->at.x_mm, works->at.y_mm);
+    const auto works = places_that_work(*trials_, fault_of(code, monitor.source),
+                                        {{written->range, std::move(all)}});
+    if (works.empty()) return std::nullopt;
+    return "`" + site.name + "` at " + place_text(works[0].to.x_mm, works[0].to.y_mm);
   }
   // Of the zone of its ways.
   [[nodiscard]] geometry::Region left_at_worst(const ir::Monitor& monitor) const {

@@ -468,6 +468,28 @@ decision gate for Bot { advanced job; period 100 ms; priority charge; }
   EXPECT_NE(reports(*c).find("has no way from some places beside `dock`"), std::string::npos);
   const std::string place = place_offered(*c);
   EXPECT_FALSE(is_refused(text(place))) << place;
+  // of two docks each has to be elsewhere, and neither of them alone helps
+  const auto docks = [&](const std::string& one, const std::string& two) {
+    std::string two_bots =
+        edited(text("(2 m, 1.9 m)"), "fleet one : Bot;", "fleet one, two : Bot;");
+    return edited(edited(two_bots, "site dock = (2 m, 1.9 m)",
+                         "site dock(one) = " + one + ";\nsite dock(two) = " + two),
+                  "energy_to(dock)", "energy_to(dock(r))");
+  };
+  const std::string first = "(2 m, 1.9 m)", second = "(7 m, 1.9 m)";
+  const auto both = compiled(docks(first, second));
+  ASSERT_TRUE(has(*both, Code::return_set_empty)) << reports(*both);
+  const std::string offered = reports(*both);
+  const auto place_instead = [&](const std::string& of) {
+    const std::size_t end = offered.find(" in place of " + of);
+    EXPECT_NE(end, std::string::npos) << offered;
+    const std::size_t begin = offered.rfind("(", end);
+    return offered.substr(begin, end - begin);
+  };
+  const std::string one = place_instead(first), two = place_instead(second);
+  EXPECT_FALSE(is_refused(docks(one, two))) << one << two;
+  EXPECT_TRUE(is_refused(docks(one, second))) << one;
+  EXPECT_TRUE(is_refused(docks(first, two))) << two;
   // of a charge that is never shown, nor would a place that has a way help
   const auto charged =
       compiled(edited(text("(2 m, 1.9 m)"), "energy_to(dock) + 5 %", "energy_to(dock) + 99 %"));

@@ -390,13 +390,13 @@ decision go for Cart { advanced pilot; period 50 ms; priority walls > deep; }
 // What lies near a cell is led out of there without a permit, and nothing is asked of the way; who
 // keeps what is asked is in the zone already. It is not where the zone is nearer than that.
 TEST_F(ComingIn, WhereAnotherSideAllowsAPlaceNothingIsAskedOfTheWayOutOfIt) {
-  const auto page = [](const std::string& off) {
+  const auto page = [](const std::string& open, const std::string& asked) {
     return R"(spec cell;
 input permit : bool max_age 1 s;
 zone hall = rectangle (0 m, 0 m) to (30 m, 18 m);
 zone cell = rectangle (22 m, 6 m) to (28 m, 12 m);
-zone open = hall - grow(cell, )" +
-           off + R"();
+zone open = )" +
+           open + R"(;
 robot Cart {
   body     radius 25 cm;
   motion   point { speed <= 1 m/s; accel <= 1.5 m/s^2; brake >= 1.5 m/s^2; }
@@ -408,15 +408,20 @@ robot Cart {
 fleet one : Cart;
 controller nav  : advanced for Cart extern;
 controller back : safe for Cart = retreat within open speed 0.3 m/s;
-monitor keep for r : Cart { "SR-1" always permit or distance(r, cell) >= 50 cm; recover back; }
+monitor keep for r : Cart { "SR-1" always permit or )" +
+           asked + R"(; recover back; }
 monitor walls for r : Cart { "SR-2" always r inside hall; recover back; }
 decision go for Cart { advanced nav; period 50 ms; priority keep > walls; }
 )";
   };
-  const Json proved = report_of(page("50 cm"));
+  const std::string off = "distance(r, cell) >= 50 cm", out = "r inside complement(cell)";
+  const Json outside = report_of(page("hall - cell", out));
+  EXPECT_EQ(p2a_of(outside)["status"], "proved") << p2a_of(outside);
+  EXPECT_EQ(rechecked(outside).status, exit_clean);
+  const Json proved = report_of(page("hall - grow(cell, 50 cm)", off));
   EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
   EXPECT_EQ(rechecked(proved).status, exit_clean);
-  Json nearer = report_of(page("40 cm"));
+  Json nearer = report_of(page("hall - grow(cell, 40 cm)", off));
   EXPECT_EQ(p2a_of(nearer)["status"], "unknown") << p2a_of(nearer);
   for (Json& o : nearer["decisions"][0]["obligations"]) {
     if (o["obligation"] == "P2a" && o["monitor"] == "keep") o = p2a_of(proved);

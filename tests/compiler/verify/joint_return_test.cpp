@@ -116,6 +116,32 @@ TEST_F(JointReturn, OtherRobotsAreCountedAndKeptOff) {
                     "may not hold");
 }
 
+// Who is far from an agent need not be slow, however far below what a robot at rest may reach until
+// the look-ahead ends.
+TEST_F(JointReturn, WhoIsFarFromAnAgentNeedNotBeSlow) {
+  const auto page = [](const std::string& says) {
+    return R"(spec worker;
+robot Cart {
+  body     radius 20 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point  error 1 cm   max_age 50 ms;
+  sense    velocity : vector error 1 cm/s max_age 50 ms;
+  output   thrust : acceleration;
+  latency  20 ms;
+}
+fleet one : Cart;
+agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;
+controller plan : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+monitor gentle for r : Cart { "SR-1" always distance(r, worker) >= 1 m )" +
+           says + R"( r.speed <= 0.02 m/s; recover stop; }
+decision go for Cart { advanced plan; period 50 ms; priority gentle; acknowledge stop may break gentle "who comes sees it"; }
+)";
+  };
+  expect_not_proved("joint return", page("or"), page("and"),
+                    "joint return: who rests may be too fast for `gentle`");
+}
+
 TEST_F(JointReturn, WhatIsAskedOfInputsToReturnCanBe) {
   const std::string why = "not all that is asked for need be true";
   for (const char* const never : {"historically[0 s, 1 s] permit and once[0 s, 1 s] not permit",
