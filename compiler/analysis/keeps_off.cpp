@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/geometry/apart.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
@@ -18,6 +19,14 @@ std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Para
   return most;
 }
 
+// Offsets reach up to a millimetre too far at round corners, each in a way of its own: what keeps
+// the distance need not lie in what is left by the offset.
+bool is_off(const geometry::Region& inner, const geometry::Region& outer, const Rational& by_m) {
+  if (inner.empty() || !outer.contains(inner)) return false;
+  const geometry::Region beyond = geometry::Region::everywhere().subtract(outer);
+  return !beyond.empty() && geometry::square_apart(inner, beyond) >= by_m * by_m;
+}
+
 }  // namespace
 
 bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
@@ -31,10 +40,13 @@ bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSoli
   }
   const auto kept = within(exact(outer.zone), outer.mm);
   if (!kept) return false;
-  if (!high) return kept->contains(exact(inner));
+  const auto is_deep = [&](const geometry::Region& region) {
+    return kept->contains(region) || is_off(region, exact(outer.zone), by_m);
+  };
+  if (!high) return is_deep(exact(inner));
   const geometry::Solid tall = solid(inner);
   return std::all_of(tall.slabs().begin(), tall.slabs().end(),
-                     [&](const geometry::Slab& slab) { return kept->contains(slab.region); });
+                     [&](const geometry::Slab& slab) { return is_deep(slab.region); });
 }
 
 bool lies_level(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,

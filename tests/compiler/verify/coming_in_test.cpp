@@ -436,6 +436,40 @@ TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
     EXPECT_EQ(rechecked(report).status, exit_clean) << by;
   }
 }
+// Round corners of an offset of several zones at once are not those of each of them alone.
+TEST_F(ComingIn, AnOffsetOfSeveralZonesKeepsTheDistanceFromEach) {
+  const auto page = [](const std::string& by) {
+    return R"(spec museum;
+zone hall = rectangle (0 m, 0 m) to (20 m, 15 m);
+zone vase = circle (7 m, 7 m) radius 0.8 m;
+zone statue = rectangle (13 m, 6 m) to (14 m, 9 m);
+zone walk = hall - grow(vase | statue, )" +
+           by + R"();
+robot Guide {
+  body     radius 28 cm;
+  motion   point { speed <= 0.9 m/s; accel <= 0.8 m/s^2; brake >= 0.8 m/s^2; }
+  sense    position : point  error 3 cm   max_age 100 ms;
+  sense    velocity : vector error 2 cm/s max_age 100 ms;
+  output   thrust   : acceleration;
+  latency  50 ms;
+}
+fleet one : Guide;
+controller tour : advanced for Guide extern;
+controller back : safe for Guide = retreat within walk speed 0.3 m/s;
+monitor off for r : Guide { "SR-1" always r inside hall and distance(r, vase) >= 40 cm and distance(r, statue) >= 40 cm; recover back; }
+decision go for Guide { advanced tour; period 100 ms; priority off; }
+)";
+  };
+  const Json proved = report_of(page("40 cm"));
+  EXPECT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
+  EXPECT_EQ(rechecked(proved).status, exit_clean);
+  Json nearer = report_of(page("39 cm"));
+  EXPECT_NE(p2a_of(nearer)["status"], "proved") << p2a_of(nearer);
+  for (Json& o : nearer["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a") o = p2a_of(proved);
+  }
+  expect_denied(nearer, "it is not contained");
+}
 // With each of its values: who keeps the largest is in the zone, which is as far off as that or as
 // most of them, and who keeps less is led in.
 TEST_F(ComingIn, TheDistanceThatAParameterAsksForIsKept) {
