@@ -63,8 +63,8 @@ bool holds_far(const ir::Block& block, ir::ValueId id) {
   return !terms.empty() && std::ranges::all_of(terms, [](const auto& term) {
     const Leaf::Kind kind = term.first.kind;
     return kind == Leaf::Kind::battery || kind == Leaf::Kind::energy_to ||
-           kind == Leaf::Kind::distance || kind == Leaf::Kind::agent || kind == Leaf::Kind::count ||
-           kind == Leaf::Kind::altitude;
+           kind == Leaf::Kind::distance || (kind == Leaf::Kind::agent && term.second > 0) ||
+           kind == Leaf::Kind::count || kind == Leaf::Kind::altitude;
   });
 }
 // False: a branch is neither a zone nor apart from the robot, nor a limit of speed that is below
@@ -156,8 +156,8 @@ bool settled(const ir::Block& block, ir::ValueId id, const std::vector<ir::Param
   }
   const Spoken& of = spoken[static_cast<std::size_t>(id)];
   const bool either = std::holds_alternative<ir::Or>(block[id].op);
-  const bool of_speeds = of.own_speed && !of.places && !of.inputs && !of.given;
-  if (either && of_speeds) return at_rest.holds(id);
+  const bool of_speeds = of.own_speed && !of.places && !of.inputs;
+  if (either && of_speeds) return at_rest.holds(id) || (of.given && holds_far(block, id));
   if (!of.places || (!either && !of.inputs && !of.own_speed)) return true;
   if (!of.inputs && holds_far(block, id)) return true;
   Choice choice;

@@ -14,6 +14,7 @@
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/entry.h"
 #include "compiler/ir/linear.h"
+#include "compiler/ir/operands.h"
 
 namespace rtac::analysis {
 namespace {
@@ -33,27 +34,40 @@ Held held_at(const TakeOver& at) {
   return all;
 }
 
-// The least that any comparison with a clearance of the fence asks for; 0: one has no least.
+// Whether a property speaks of nothing but places, heights and inputs: what a recovery keeps on its
+// way, or what it does not change.
+bool is_of_places(const ir::Block& property) {
+  return std::ranges::none_of(property.values, [](const ir::Value& value) {
+    const ir::Op& op = value.op;
+    return std::holds_alternative<ir::Speed>(op) || std::holds_alternative<ir::Battery>(op) ||
+           std::holds_alternative<ir::EnergyTo>(op) || std::holds_alternative<ir::Distance>(op) ||
+           std::holds_alternative<ir::AgentDistance>(op) || ir::body_of(op) != nullptr;
+  });
+}
+// The least that any comparison with a clearance of the fence asks for: below 0 bodies may stick
+// out of it, or that is not known.
 std::int64_t least_asked_mm(const TakeOver& at, ir::ZoneIndex fence) {
   const auto of_fence = [&](const auto& term) {
     const ir::Leaf& leaf = term.first;
     return leaf.kind == ir::Leaf::Kind::clearance && ir::ZoneIndex{leaf.table} == fence;
   };
-  std::optional<std::int64_t> least_mm;
   const ir::Block& property = at.decision.monitors[at.judged].property;
+  std::optional<std::int64_t> least_mm;
   ir::for_each_comparison(property, [&](const ir::Block& block, const ir::AtLeast& compare) {
     if (std::ranges::none_of(ir::linear_form(block, compare).terms, of_fence)) return;
     const auto bound = ir::lower_bound(block, compare, at.decision.facts.params);
-    const std::int64_t mm = bound ? std::max<std::int64_t>(bound->need.laxest, 0) : 0;
+    const std::int64_t mm = bound ? bound->need.laxest : -1;
     least_mm = std::min(least_mm.value_or(mm), mm);
   });
-  return least_mm.value_or(0);
+  return least_mm.value_or(-1);
 }
 // Where the property holds by what it asks of that fence. Where it holds by another side of an `or`
 // alone, nothing is asked of the way with regard to that fence, which the recovery leads back to.
-Held held_by(const TakeOver& at, ir::ZoneIndex fence) {
+Held held_by_fence(const TakeOver& at, ir::ZoneIndex fence) {
   Held all = held_at(at);
-  all.push_back({{fence, least_asked_mm(at, fence)}});
+  const std::int64_t least_mm = least_asked_mm(at, fence);
+  const bool places_settle_it = is_of_places(at.decision.monitors[at.judged].property);
+  if (least_mm >= 0 && places_settle_it) all.push_back({{fence, least_mm}});
   return all;
 }
 
@@ -131,7 +145,7 @@ bool starts_within(const TakeOver& at, ir::ZoneIndex zone) {
 }
 
 Solid led_in_from(const TakeOver& at, ir::ZoneIndex zone, ir::ZoneIndex fence) {
-  return held_outside(at, held_by(at, fence), zone);
+  return held_outside(at, held_by_fence(at, fence), zone);
 }
 
 std::string begins_inside(const ir::ZoneTable& zone) {
@@ -238,10 +252,10 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   const ir::Body& body = at.decision.body;
   const Asked asked = asked_of(at, fence);
   const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
-  const Region rested =
-      where_held<Region>(at, held_by(at, fence), [&](const TakeOver& from, const Standoff& held) {
-        return centres(from, {held.zone, held.mm + strays_mm});
-      });
+  const Region rested = where_held<Region>(at, held_by_fence(at, fence),
+                                           [&](const TakeOver& from, const Standoff& held) {
+                                             return centres(from, {held.zone, held.mm + strays_mm});
+                                           });
   // Whoever has as much to spare in the zone keeps that on its ways, and what the zone is farther
   // from the boundary of the fence than is asked besides.
   const std::int64_t deep_mm = depth_mm(at, step.zone, fence, asked.strictest_mm + strays_mm);
@@ -250,6 +264,7 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
     return fits_all(at, step.zone, bodies, std::max<std::int64_t>(strays_mm - besides_mm, 0));
   };
   if (keeps(rested, asked.strictest_mm)) return true;
+  if (asked.laxest_mm < 0) return false;  // who sticks out of the fence is not looked at
   const std::int64_t standoff_mm = led_in_mm(asked, [&](std::int64_t mm) {
     return keeps(rested.intersect(centres(at, {fence, mm + strays_mm})), mm);
   });
@@ -292,7 +307,7 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const ir::ZoneIndex zone = step.zone;
   if (zone == fence) return true;
   if (!at.module[fence].has_height()) {
-    if (is_convex(at.exact(fence)) || all_within(at, held_by(at, fence), zone)) return true;
+    if (is_convex(at.exact(fence)) || all_within(at, held_by_fence(at, fence), zone)) return true;
     return !at.decision.body.in_space && enters_within(at, step, fence);
   }
   const Solid solid = at.solid(fence);
@@ -301,7 +316,7 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const bool convex = one && std::ranges::all_of(solid.slabs(), [](const geometry::Slab& slab) {
                         return is_convex(slab.region);
                       });
-  return convex || all_within(at, held_by(at, fence), zone);
+  return convex || all_within(at, held_by_fence(at, fence), zone);
 }
 
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,

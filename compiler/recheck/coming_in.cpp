@@ -113,30 +113,35 @@ std::vector<Either> held_at(const sema::Spec& spec, const sema::Decision& d,
   return all;
 }
 
-// The least that is asked of the fence wherever something is; 0 of what is not read.
-Rational least_said(const sema::Spec& spec, const sema::Expr& e, bool value, sema::ZoneId fence,
-                    const Rational& least) {
-  const Operands parts = operands_of(e, value);
-  if (!parts.of.empty()) {
-    Rational all = least;
-    for (const auto& [part, wanted] : parts.of) {
-      all = std::min(all, least_said(spec, *part, wanted, fence, least));
-    }
-    return all;
-  }
-  if (std::ranges::count(all_zones(e), fence) == 0) return least;
-  const auto held = held_by(spec, e, value);
-  return held ? std::min(least, held->gap) : Rational(0);
+// Whether it says anything of speed, charge or others, which change on the way or of themselves.
+bool speaks_of_more(const sema::Expr& e) {
+  return sema::speaks_of_speed(e) || sema::speaks_of_charge(e) ||
+         sema::speaks_of<sema::EnergyTo>(e) || sema::speaks_of<sema::Distance>(e) ||
+         sema::speaks_of<sema::AgentDistance>(e) || sema::speaks_of<sema::ForOthers>(e) ||
+         sema::speaks_of<sema::CountOthers>(e) || sema::speaks_of<sema::OverMembers>(e);
 }
+// What each comparison that speaks of the fence asks of it; less than 0 of what is not read.
+void collect_said(const sema::Spec& spec, const sema::Expr& e, bool value, sema::ZoneId fence,
+                  std::vector<Rational>& all) {
+  const Operands parts = operands_of(e, value);
+  for (const auto& [part, wanted] : parts.of) collect_said(spec, *part, wanted, fence, all);
+  if (!parts.of.empty() || std::ranges::count(all_zones(e), fence) == 0) return;
+  const auto held = held_by(spec, e, value);
+  all.push_back(held ? held->gap : Rational(-1));
+}
+// The least of these: below 0 bodies may stick out of the fence, or that is not known.
 Rational least_said(const sema::Spec& spec, const sema::Expr& property, sema::ZoneId fence) {
-  return least_said(spec, property, true, fence, gap_of(spec, property, fence));
+  std::vector<Rational> all;
+  collect_said(spec, property, true, fence, all);
+  return all.empty() ? Rational(-1) : *std::ranges::min_element(all);
 }
 // Where a property that has several sides holds by what it says of the fence; by another side of an
 // `or`, the way has nothing to keep of that, and the recovery leads there.
 std::vector<Either> held_by_fence(const sema::Spec& spec, const sema::Decision& d,
                                   const sema::Monitor& judged, sema::ZoneId fence) {
   std::vector<Either> all = held_at(spec, d, judged);
-  all.push_back({{fence, least_said(spec, *judged.always, fence)}});
+  const Rational least = least_said(spec, *judged.always, fence);
+  if (least >= 0 && !speaks_of_more(*judged.always)) all.push_back({{fence, least}});
   return all;
 }
 
@@ -344,6 +349,7 @@ bool enters_within(const sema::Spec& spec, const sema::Decision& d, Claims& clai
   const auto led_by =
       strictest_led(claims.zones(), {zone, fence, radius, ways->strays}, starts, off);
   if (!led_by) return true;
+  if (off.laxest < 0) return false;  // who sticks out of the fence is not looked at
   ways->limits.clearance = Rational(radius + *led_by + ways->strays).get_d();
   ways->limits.body = Rational(radius + off.laxest + ways->strays).get_d();
   if (!has_end(*outer)) {

@@ -429,6 +429,41 @@ decision go for Cart { advanced nav; period 50 ms; priority keep > walls; }
   expect_denied(nearer, "it is not contained");
 }
 
+// A body that may stick out of a fence may be anywhere in a notch of it, in space as well.
+TEST_F(ComingIn, WhoMayStickOutOfTheFenceMayCrossWhatLiesBetween) {
+  const auto page = [](const std::string& least, const std::string& permit) {
+    return R"(spec prongs;
+input permit : bool max_age 1 s;
+zone pen = rectangle (2 m, 1 m) to (12 m, 5 m) | rectangle (2 m, 5 m) to (2.4 m, 16 m) | rectangle (8 m, 5 m) to (12 m, 16 m);
+zone core = rectangle (2 m, 1 m) to (12 m, 5 m) | rectangle (2 m, 5 m) to (2.4 m, 5.5 m) | rectangle (8 m, 5 m) to (12 m, 16 m);
+robot Flyer {
+  body     radius 25 cm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point3  error 2 cm   max_age 50 ms;
+  sense    velocity : vector3 error 2 cm/s max_age 50 ms;
+  output   thrust   : acceleration;
+  latency  20 ms;
+}
+fleet one : Flyer;
+controller nav  : advanced for Flyer extern;
+controller back : safe for Flyer = retreat within core speed 0.3 m/s;
+monitor keep for r : Flyer { "SR-1" always )" +
+           permit + "clearance(r, pen) >= " + least + R"(; recover back; }
+decision go for Flyer { advanced nav; period 50 ms; priority keep; }
+)";
+  };
+  for (const char* const permit : {"", "permit or "}) {
+    const Json proved = report_of(page("0 m", permit));
+    ASSERT_EQ(p2a_of(proved)["status"], "proved") << p2a_of(proved);
+    Json out = report_of(page("-0.4 m", permit));
+    EXPECT_EQ(p2a_of(out)["status"], "unknown") << p2a_of(out);
+    for (Json& o : out["decisions"][0]["obligations"]) {
+      if (o["obligation"] == "P2a") o = p2a_of(proved);
+    }
+    expect_denied(out, "lead across what is not convex");
+  }
+}
+
 TEST_F(ComingIn, AWiderBerthThanIsAskedKeepsADistance) {
   for (const char* const by : {"42 cm", "50 cm", "1 m"}) {
     const Json report = report_of(off_a_pond("room - grow(pond, " + std::string(by) + ")"));
