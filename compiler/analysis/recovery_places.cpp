@@ -291,7 +291,8 @@ class Places {
     const Region from = starts().subtract(own);
     if (from.empty()) return false;
     const WaysIn ways = ways_in(module_, decision_, step, from, allowed);
-    // where inputs allow another place, nothing is asked of the way out of it
+    // where another side of an `or` allows a place, nothing is asked of the way out of it; which
+    // places those are is not known while parameters move them
     const bool is_fixed = decision_.facts.params.empty();
     const auto leaves =
         ways.leaves && is_fixed

@@ -40,7 +40,7 @@ struct MovedTo {
   sema::Point from;
   PlaceMm to;
 };
-// One of these for each of the moves: the nearest to the written ones with which the whole
+// One of these for each of the moves, all of them moved on together: the first with which the whole
 // specification works, `fault` being gone (trials.h), as far as whatever works has less clear ones
 // alone nearer by. Empty: none.
 std::vector<MovedTo> places_that_work(Trials& trials, const Fault& fault,
