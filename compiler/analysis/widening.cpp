@@ -65,6 +65,18 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
   }
 }
 
+// As `grow`, or with a negative distance `shrink`, and as it was.
+void offset(sema::ZoneExprPtr& value, std::int64_t by_mm) {
+  auto by = std::make_unique<sema::ZoneExpr>();
+  by->range = value->range;
+  by->node = sema::ZoneOffset{std::move(value), metres_of(by_mm)};
+  value = std::move(by);
+}
+void take_offset_back(sema::ZoneExprPtr& value) {
+  auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
+  value = std::move(written);
+}
+
 using Works = std::function<bool(std::int64_t by_mm)>;
 
 // Between what does not work and what does.
@@ -141,21 +153,14 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
     return std::nullopt;
   }
   sema::ZoneExprPtr& value = zone.value;
-  const SourceRange range = value->range;
   const Dial dial{"the growth of " + name,
                   std::max<std::int64_t>(least_mm - 1, 0),
                   std::max(guess_mm, most_mm),
                   [&](std::int64_t mm) {
-                    auto grown = std::make_unique<sema::ZoneExpr>();
-                    grown->range = range;
-                    grown->node = sema::ZoneOffset{std::move(value), metres_of(mm)};
-                    value = std::move(grown);
+                    offset(value, mm);
                     return true;
                   },
-                  [&] {
-                    auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
-                    value = std::move(written);
-                  },
+                  [&] { take_offset_back(value); },
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   const auto closes = [&](const auto& shape) { return closes_a_gap(shape, *by_mm); };
@@ -166,6 +171,36 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
            trials.leaves(dial.name, *by_mm, fault);
   }
   return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);
+}
+
+std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex table,
+                                              std::int64_t guess_mm, std::int64_t most_mm,
+                                              const Fault& fault) {
+  const auto id = trials.zone_of(table);
+  if (!id) return std::nullopt;
+  sema::Zone& zone = trials.spec().zones[static_cast<std::size_t>(*id)];
+  if (zone.name.empty() || std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
+    return std::nullopt;
+  }
+  sema::ZoneExprPtr& value = zone.value;
+  const Dial dial{"the opening of " + zone.name,
+                  0,
+                  most_mm,
+                  [&](std::int64_t mm) {
+                    offset(value, -mm);
+                    offset(value, mm);
+                    return true;
+                  },
+                  [&] {
+                    take_offset_back(value);
+                    take_offset_back(value);
+                  },
+                  true};
+  const auto by_mm = trials.nearest(dial, guess_mm, fault);
+  if (!by_mm) return std::nullopt;
+  const std::string by = metres(*by_mm);
+  return "`grow(shrink(" + zone.name + ", " + by + "), " + by + ")` in place of `" + zone.name +
+         "` wherever it is named works" + trials.leaves(dial.name, *by_mm, fault);
 }
 
 std::optional<std::string> distance_that_works(Trials& trials, ir::ZoneIndex table,

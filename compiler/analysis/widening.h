@@ -40,6 +40,13 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex zone,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm = 0);
 
+// "`grow(shrink(yard, 0.8 m), 0.8 m)` in place of `yard` works": the zone without what is narrower
+// than twice the least distance with which the whole specification has been tried, looked for from
+// `guess_mm` to `most_mm`. None: as of its growth, or it has no name.
+std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex zone,
+                                              std::int64_t guess_mm, std::int64_t most_mm,
+                                              const Fault& fault);
+
 // "`grow(pond, 0.4 m)` in place of `grow(pond, 0.5 m)` works": of the distances that a zone is
 // written with, or one without a name in it, the first that makes it wider by about `guess_mm`, and
 // with which the whole specification has been tried.

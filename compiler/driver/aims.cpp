@@ -1,6 +1,7 @@
 #include "compiler/driver/aims.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace rtac::driver {
@@ -58,6 +59,46 @@ std::vector<Scenario> aimed_at_rest(const Obligation& o, const std::vector<std::
   pushed["runs"] = 6;
   rests["runs"] = 12;  // as many as there are adversaries
   return {std::move(pushed), std::move(rests)};
+}
+
+// What a scenario says of inputs of which all components are told; the others are drawn.
+Scenario inputs_told(const sema::Spec& spec, const std::vector<analysis::ToldInput>& told) {
+  std::map<sema::InputId, std::map<std::uint32_t, Scenario>> by_component;
+  for (const auto& [id, component, value] : told) {
+    const sema::Input& input = spec[id];
+    if (component == analysis::age_component(input)) continue;  // within what it is declared to be
+    Scenario is = value.get_d();
+    if (input.type == sema::InputType::boolean) {
+      is = sgn(value) != 0;
+    } else if (input.type == sema::InputType::enumeration) {
+      is = spec[*input.enumeration].values[static_cast<std::size_t>(floor_to_int(value))];
+    }
+    by_component[id][component] = std::move(is);
+  }
+  Scenario all = Scenario::object();
+  for (auto& [id, components] : by_component) {
+    const sema::Input& input = spec[id];
+    if (components.size() < input.components.size()) continue;
+    Scenario values = Scenario::array();
+    for (auto& [component, is] : components) values.push_back(std::move(is));
+    all[input.name] = components.size() == 1 ? values[0] : std::move(values);
+  }
+  return all;
+}
+
+// From where nothing leads back as long as the robot is measured there, from the start on, whoever
+// drives before.
+Scenario aimed_at_what_is_seen(Scenario there, const Obligation& o, const verify::Start& start,
+                               const sema::Spec& spec, const std::vector<std::string>& robots) {
+  constexpr std::int64_t stands_s = 30;  // long enough to tell that it does
+  const std::int64_t kept_s = std::min(stands_s, there["return_within_s"].get<std::int64_t>());
+  there["runs"] = 4;
+  there["return_within_s"] = kept_s;
+  there["duration_s"] = kept_s + 1;
+  there["noise"] = "none";
+  there["starts"] = starts_at(o, start, robots);
+  there["inputs"] = inputs_told(spec, start.told);
+  return there;
 }
 
 // From where the recovery of one monitor leads to where another one is false.
@@ -129,8 +170,8 @@ bool about_return(const Obligation& o) {
   return o.kind == Kind::p2b || o.kind == Kind::joint_return;
 }
 
-std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::string>& robots,
-                               const std::string& charge) {
+std::vector<Scenario> aimed_at(const Obligation& o, const sema::Spec& spec,
+                               const std::vector<std::string>& robots, const std::string& charge) {
   if (o.in_turns) return aimed_at_turns(o, robots, charge);
   // with each of the adversaries
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
@@ -150,12 +191,16 @@ std::vector<Scenario> aimed_at(const Obligation& o, const std::vector<std::strin
     about["return_within_s"] = kept_s;
     about["duration_s"] = 2 * kept_s + begins_s;
     about["runs"] = 20;
+    for (const verify::Start& start : o.starts) {
+      if (start.seen_there) all.push_back(aimed_at_what_is_seen(about, o, start, spec, robots));
+    }
     if (o.place_mm) {
       Scenario there = about;
       there["starts"] = starts_in_trouble(o, robots);
       all.push_back(std::move(there));
     }
     for (const verify::Start& start : o.starts) {
+      if (start.seen_there) continue;
       Scenario there = about;
       there["starts"] = starts_at(o, start, robots);
       all.push_back(there);

@@ -16,6 +16,7 @@
 #include "compiler/driver/in_turns.h"
 #include "compiler/driver/lock_up.h"
 #include "compiler/driver/process.h"
+#include "compiler/driver/standing.h"
 #include "compiler/sema/visit.h"
 
 namespace rtac::driver {
@@ -106,7 +107,7 @@ class Showing {
       if ((*c_.spec)[r.kind].name == d.kind) robots.push_back(r.name);
     }
     if (robots.empty()) return;
-    Sought sought{&o, aimed_at(o, robots, charge_of(d, o.in_turns.has_value()))};
+    Sought sought{&o, aimed_at(o, *c_.spec, robots, charge_of(d, o.in_turns.has_value()))};
     for (Scenario& scenario : sought.scenarios) blame(d, o, scenario);
     all_.push_back(std::move(sought));
   }
@@ -179,12 +180,16 @@ class Showing {
     return c_.diagnostics.all().empty() ? "" : c_.diagnostics.all().back().message;
   }
   // Of robots that wait for each other, only what nobody else has a part in; of recoveries that
-  // take over from each other, only what they have done so often that it goes on.
+  // take over from each other, only what they have done so often that it goes on; and of one that
+  // is kept for less than ways may take, that it stands.
   static bool shows(const std::string& trace, const Scenario& scenario, Obligation& o) {
     constexpr int often = 10;
+    const std::int64_t kept_s = scenario.value("return_within_s", o.patience_s);
     const bool of_turns = o.in_turns && scenario.contains("return_within_s");
-    if (!o.lock_up && !of_turns) return true;
+    const bool may_be_on_its_way = !o.lock_up && !of_turns && kept_s < o.patience_s;
+    if (!o.lock_up && !of_turns && !may_be_on_its_way) return true;
     const auto run = read_file(trace);
+    if (may_be_on_its_way) return run && stands(*run);
     if (!of_turns) return run && locks_up(*run, scenario["starts"].size(), *o.lock_up);
     const int taken = run ? turns_taken(*run, o.in_turns->modes) : 0;
     if (taken < often) return false;

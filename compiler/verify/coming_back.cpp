@@ -108,11 +108,46 @@ bool is_looked_at(const std::vector<analysis::Stranded>& shut, const analysis::W
   return !shut.empty() && shut.front().cells * sliver >= ways.stranded.front().cells;
 }
 
+// Inputs with which no other monitor has a recovery drive, wherever the robot is; none: nobody
+// knows of any, or none is asked.
+std::vector<analysis::ToldInput> none_else_asks(const Subject& s, std::size_t k) {
+  std::vector<const sema::Expr*> others;
+  for (std::size_t other = 0; other < s.written.priority.size(); ++other) {
+    const sema::Expr& always = *s.monitor(other).always;
+    if (other != k && !analysis::inputs_in(s.spec, always).empty()) others.push_back(&always);
+  }
+  return analysis::told_at_once(s.spec, {}, others).inputs;
+}
+
+// The clearest place of the cell in the middle of a part: in the middle of a passage there is more
+// room than cells tell, which a way over them has to keep. Measured there it stays there.
+Start clearest_in_middle(const Subject& s, std::size_t k, ir::ZoneIndex zone,
+                         const analysis::Stranded& part) {
+  const geometry::Region& region = s.exact(zone);
+  const std::int64_t half_mm = s.module[zone].cells.cell_mm / 2;
+  Start clearest{{part.middle_x_mm, part.middle_y_mm}};
+  Rational most = 0;
+  for (int i = 0; i < 9; ++i) {
+    const std::int64_t x_mm = part.middle_x_mm + (i % 3 - 1) * half_mm;
+    const std::int64_t y_mm = part.middle_y_mm + (i / 3 - 1) * half_mm;
+    const geometry::Point at{analysis::metres_of(x_mm), analysis::metres_of(y_mm)};
+    if (!region.contains(at)) continue;
+    const Rational square = square_to(region.rings(), at);
+    if (square <= most) continue;
+    most = square;
+    clearest.place_mm = {x_mm, y_mm};
+  }
+  clearest.seen_there = true;
+  clearest.told = none_else_asks(s, k);
+  return clearest;
+}
+
 // In the middle of a part, and of the largest others.
-std::vector<Start> starts_in(const Subject& s, ir::ZoneIndex zone, const analysis::Stranded& part,
-                             const analysis::Ways& ways) {
-  constexpr std::size_t most = 3;
-  std::vector<Start> all{{{part.middle_x_mm, part.middle_y_mm}}};
+std::vector<Start> starts_in(const Subject& s, std::size_t k, ir::ZoneIndex zone,
+                             const analysis::Stranded& part, const analysis::Ways& ways) {
+  constexpr std::size_t most = 4;
+  std::vector<Start> all{clearest_in_middle(s, k, zone, part),
+                         {{part.middle_x_mm, part.middle_y_mm}}};
   for (const analysis::Stranded& other : ways.stranded) {
     if (all.size() == most) break;
     const bool same = other.x_mm == part.x_mm && other.y_mm == part.y_mm;
@@ -178,7 +213,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.by_a_run = fits;
     if (fits) {
       o.place_mm = {part.x_mm, part.y_mm};
-      o.starts = starts_in(s, last.zone, part, ways);
+      o.starts = starts_in(s, k, last.zone, part, ways);
     }
     o.because =
         "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +

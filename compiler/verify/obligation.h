@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/analysis/common_zone.h"
+#include "compiler/analysis/told.h"
 #include "compiler/diagnostics/engine.h"
 
 namespace rtac::verify {
@@ -49,6 +50,8 @@ struct Start {
   std::vector<std::int64_t> place_mm;  // two coordinates, or three in space; none: anywhere
   std::vector<std::vector<std::int64_t>> others_mm{};  // of the next robots; the rest: anywhere
   std::optional<std::int64_t> battery_ppm{};           // of a full one
+  bool seen_there = false;  // measured as it is: who is seen elsewhere may find a way
+  std::vector<analysis::ToldInput> told{};  // inputs with which other monitors ask for nothing
 };
 
 // Robots that wait for each other: those of a start, while nobody else drives so near to one of

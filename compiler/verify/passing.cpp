@@ -232,7 +232,8 @@ bool waits_by_itself(const ir::Monitor& m) {
 
 // One over the other: the first two coordinates are those of the plane.
 bool stacked(const Start& start) {
-  const auto& [first, others, battery] = start;
+  const std::vector<std::int64_t>& first = start.place_mm;
+  const std::vector<std::vector<std::int64_t>>& others = start.others_mm;
   return !others.empty() && std::equal(first.begin(), first.begin() + 2, others[0].begin());
 }
 
@@ -255,7 +256,8 @@ Obligation unless_locked(const Subject& s, const ir::Recovery& yield, std::vecto
   return o;
 }
 std::string may_lock(const std::vector<Start>& starts) {
-  const auto& [first, others, battery] = starts.front();
+  const std::vector<std::int64_t>& first = starts.front().place_mm;
+  const std::vector<std::vector<std::int64_t>>& others = starts.front().others_mm;
   if (stacked(starts.front())) {
     return "those that hold at " + place(first[0], first[1]) + ", one over the other, may wait " +
            "for each other for ever, where what they measure stays off";

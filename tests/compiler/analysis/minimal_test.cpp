@@ -185,6 +185,13 @@ std::string grown(const About& a, const std::string& value) {
                             "$1grow($2, " + value + ");");
 }
 
+// What is wide in it alone.
+std::string opened(const About& a, const std::string& value) {
+  const std::string zone = first_group(a.finding.help, "grow\\(shrink\\((\\w+),");
+  return std::regex_replace(a.text, std::regex("(zone +" + zone + " *= *)([^;]*);"),
+                            "$1grow(shrink($2, " + value + "), " + value + ");");
+}
+
 // The recovery in the zone that is offered, with another number in that.
 std::string moved_within(const About& a, const std::string& value) {
   const std::string zone = first_group(a.finding.help, "within a zone that is `([^`]*)` works");
@@ -273,6 +280,8 @@ std::vector<Offer> offers() {
        part(&About::recovery, "land to +")},
       {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` wherever it is named works", "m",
        1000, Beyond::less, grown},
+      {"`grow\\(shrink\\(\\w+, " + number + " m\\), [0-9.]+ m\\)` in place of", "m", 1000,
+       Beyond::less, opened},
       {"a zone with a ceiling of at most " + number + " m works", "m", 1000, Beyond::more,
        [](const About& a, const std::string& value) {
          const std::string zone = first_group(a.finding.message, "moves within `(\\w+)`");

@@ -306,7 +306,8 @@ decision drive for Drone { advanced fly; period 100 ms; priority house > fence; 
 }
 
 // Two halls, and a lane between them that is too narrow for the ways of the recovery. A grid that
-// happens to lie well is not enough: what is offered works by the walls, too.
+// happens to lie well is not enough: what is offered works by the walls, too. Nor need walls be
+// moved: the halls without the lane work, and with what is wider than it they do not.
 TEST(Offers, AWidthOfALaneThatWorks) {
   const std::string page = R"(spec halls;
 zone west = rectangle (0 m, 0 m) to (6 m, 5 m);
@@ -329,14 +330,27 @@ monitor fence for r : Mower { "R1: in the halls" always r inside free; ahead 200
 decision drive for Mower { advanced mow; period 100 ms; priority fence; }
 )";
   const auto c = compiled(page);
-  const std::string said = reports(*c), offer = "(`grow(free, ";
-  const std::size_t at = said.find(offer);
-  ASSERT_NE(at, std::string::npos) << said;
-  const std::string by = said.substr(at + offer.size(), said.find(" m)", at) - at - offer.size());
-  const auto wider = compiled(
-      edited(edited(edited(page, "inside free", "inside wide"), "within free", "within wide"),
-             "robot Mower", "zone wide = grow(free, " + by + " m);\nrobot Mower"));
+  const std::string said = reports(*c);
+  const auto offered = [&](const std::string& before) {
+    const std::size_t at = said.find(before);
+    EXPECT_NE(at, std::string::npos) << said;
+    return said.substr(at + before.size(), said.find(" m)", at) - at - before.size());
+  };
+  const auto within = [&](const std::string& zone) {
+    return compiled(
+        edited(edited(edited(page, "inside free", "inside other"), "within free", "within other"),
+               "robot Mower", "zone other = " + zone + ";\nrobot Mower"));
+  };
+  const std::string by = offered(" `grow(free, ");
+  const auto wider = within("grow(free, " + by + " m)");
   EXPECT_TRUE(wider->diagnostics.all().empty()) << by << reports(*wider);
+  const auto opened = [&](double m) {
+    const std::string text = std::to_string(m) + " m";
+    return within("grow(shrink(free, " + text + "), " + text + ")");
+  };
+  const double without = std::stod(offered("(`grow(shrink(free, "));
+  EXPECT_TRUE(opened(without)->diagnostics.all().empty()) << reports(*opened(without));
+  EXPECT_FALSE(opened(0.95 * without)->diagnostics.all().empty()) << without;
 }
 
 // A landing on something low is offered so high that it keeps a floor, and breaks no ceiling.

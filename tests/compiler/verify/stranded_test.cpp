@@ -21,14 +21,15 @@ class Stranded : public Verify {
            "monitor m for r : Quad { \"R1\" always " +
            monitor + " }\ndecision fly for Quad { advanced policy; period 50 ms; priority m; }\n";
   }
-  // P2b, by a run that is played again.
-  static void expect_shown(const std::string& text, const std::string& because) {
+  // P2b, by a run that is played again; what was said.
+  static std::string expect_shown(const std::string& text, const std::string& because) {
     const Outcome o = verified(text, {"--format", "json", "-o", "shown"});
     EXPECT_EQ(o.status, exit_violation) << o.out << o.err;
     EXPECT_EQ(statuses(o.out, "P2b", "m"), Statuses{"refuted"}) << o.out;
     EXPECT_NE(o.out.find(because), std::string::npos) << o.out;
     const Outcome again = rtac({"sim", "spec.rta", "--replay", "shown/violation.trace"});
     EXPECT_EQ(again.status, exit_violation) << again.out << again.err;
+    return o.out;
   }
 };
 
@@ -49,6 +50,45 @@ TEST_F(Stranded, BetweenRacksNothingIsInSight) {
 TEST_F(Stranded, InAZoneThatInputsCloseNothingLeadsOut) {
   const std::string monitor = "closed implies distance(r, wing) >= 20 cm; recover back;";
   expect_shown(page(hall, monitor), "needs it to stay in `complement(wing)`");
+}
+
+// A ward of 10 m, with a station in its middle that leaves 1 m beside it: in the middle of that
+// the cart is as clear as nowhere on its ways over cells, and where it is measured exactly it
+// stays. Inputs that ask for nothing leave it alone; what is offered leaves the passage out.
+TEST_F(Stranded, InAPassageThatIsNarrowerThanItsClearanceOfReturnItStands) {
+  const std::string text = R"(spec cart;
+zone ward = rectangle (0 m, 0 m) to (10 m, 10 m);
+zone free = ward - rectangle (4 m, 5 m) to (6 m, 9 m);
+input estop : bool max_age 300 ms;
+input load : real [kg] in 0 kg .. 20 kg max_age 300 ms;
+robot Cart {
+  body radius 30 cm;
+  motion point { speed <= 0.8 m/s; accel <= 0.8 m/s^2; brake >= 0.8 m/s^2; }
+  sense position : point error 2 cm max_age 80 ms;
+  sense velocity : vector error 2 cm/s max_age 80 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet cart : Cart;
+controller nav : advanced for Cart extern;
+controller stop : safe for Cart = brake_and_hold;
+controller back : safe for Cart = retreat within free speed 0.3 m/s;
+monitor halt for c : Cart { "R1: stands at an emergency stop, and under a load" always (estop or load >= 5 kg) implies c.speed <= 0.1 m/s; recover stop; }
+monitor m for c : Cart { "R2: stays in the ward" always c inside free; recover back; }
+decision drive for Cart { advanced nav; period 50 ms; priority halt > m; }
+)";
+  const std::string said = expect_shown(text, "no way over its cells leads to where control");
+  EXPECT_NE(read("shown/violation.trace").find("end not given back: cart"), std::string::npos);
+  const std::string before = "`grow(shrink(free, ";
+  const std::size_t at = said.find(before);
+  ASSERT_NE(at, std::string::npos) << said;
+  const std::string by = said.substr(at + before.size(), said.find(" m)", at) - at - before.size());
+  const std::string wide =
+      "zone wide = grow(shrink(free, " + by + " m), " + by + " m);\ninput estop";
+  const Outcome without = verified(
+      edited(edited(edited(text, "within free", "within wide"), "c inside free", "c inside wide"),
+             "input estop", wide));
+  EXPECT_EQ(without.status, exit_clean) << without.out << without.err;
 }
 
 // Its `return when` asks for what it does not lead to.
