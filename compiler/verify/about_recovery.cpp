@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/analysis/sides.h"
 #include "compiler/analysis/site_room.h"
 #include "compiler/analysis/superfluous.h"
 #include "compiler/analysis/travel.h"
@@ -53,20 +54,21 @@ std::string off_its_dock(const Subject& s, const ir::Recovery& last) {
          metres(analysis::dock_reach_mm);
 }
 
-std::string falls_behind(const Subject& s, const ir::Recovery& recovery) {
-  if (!s.decision.body.in_space) return "";
+Doubt falls_behind(const Subject& s, const ir::Recovery& recovery) {
+  if (!s.decision.body.in_space) return {};
   const Rational most = analysis::follows_up_to(s.kind, s.decision.period_us);
   for (const ir::Recovery* step : ir::steps_of(recovery)) {
     const bool carries = ir::moves(step->kind) || step->kind == ir::RecoveryKind::land;
     const Rational speed(static_cast<long>(step->speed_mmps), 1000);
     if (!carries || speed <= most) continue;
-    return quoted(recovery.name) + " leads the robot at " + to_decimal(speed) +
-           " m/s, and its brake is strong enough to follow at up to " +
-           to_decimal(
-               Rational(std::max<std::int64_t>(floor_to_int(Rational(most * 1000)), 0), 1000)) +
-           " m/s";
+    const std::int64_t most_mmps = std::max<std::int64_t>(floor_to_int(Rational(most * 1000)), 0);
+    Doubt behind{quoted(recovery.name) + " leads the robot at " + to_decimal(speed) +
+                 " m/s, and its brake is strong enough to follow at up to " +
+                 to_decimal(analysis::metres_of(most_mmps)) + " m/s"};
+    if (most_mmps > 0) behind.mends = {SlowerRecovery{recovery.name, most_mmps}};
+    return behind;
   }
-  return "";
+  return {};
 }
 
 Obligation doubted(Obligation o, Doubt doubt) {
@@ -75,6 +77,7 @@ Obligation doubted(Obligation o, Doubt doubt) {
   o.method = doubt.takes_a_run ? "geometry and bounds" : "no proof";
   o.because = std::move(doubt.why);
   o.repair = std::move(doubt.repair);
+  o.mends = std::move(doubt.mends);
   o.claims.clear();
   return o;
 }

@@ -28,8 +28,8 @@ Obligation unless_accepted(const Subject& s, std::size_t k, Kind kind,
 // Who goes to a site to be charged has to rest so near to it (language rule 6.7); "": it does.
 std::string off_its_dock(const Subject& s, const ir::Recovery& last);
 // In space the hold of who moves leads the robot, which follows as long as its brake is not spent:
-// beyond, nothing is known of its ways. "": it follows.
-std::string falls_behind(const Subject& s, const ir::Recovery& recovery);
+// beyond, nothing is known of its ways.
+Doubt falls_behind(const Subject& s, const ir::Recovery& recovery);
 
 Claim recovery_claim(const Subject& s, std::size_t k);
 

@@ -426,8 +426,8 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     const bool asks = atoms.only_speed() || atoms.charge || judges_others(m.property);
     return asks && !atoms.only_facts() ? returned_at_rest(s, k, std::move(o)) : o;
   }
-  if (std::string behind = falls_behind(s, m.recovery); !behind.empty()) {
-    return doubted(std::move(o), {std::move(behind)});
+  if (Doubt behind = falls_behind(s, m.recovery); !behind.why.empty()) {
+    return doubted(std::move(o), std::move(behind));
   }
   if (ir::moves(last) && last != ir::RecoveryKind::yield) {
     const bool legs = s.decision.body.in_space && last != ir::RecoveryKind::route;

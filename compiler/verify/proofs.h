@@ -27,11 +27,12 @@ struct Need {
   std::int64_t clearance_mm;
 };
 
-// Why something is not shown, and what works; without a reason it is shown. A run may show that it
-// is not so.
+// Why something is not shown, and what works, or may; without a reason it is shown. A run may show
+// that it is not so.
 struct Doubt {
   std::string why{}, repair{};
   bool takes_a_run = false;
+  std::vector<Mend> mends{};
 };
 
 // What all proofs of a decision speak of.

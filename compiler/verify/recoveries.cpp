@@ -93,7 +93,7 @@ std::string doubt_of_windows(const Subject& s, std::size_t driving, std::size_t 
 Doubt doubt_about(const Subject& s, std::size_t k, std::size_t judged) {
   const ir::Block& property = s.decision.monitors[judged].property;
   const ir::Recovery& recovery = s.decision.monitors[k].recovery;
-  if (std::string behind = falls_behind(s, recovery); !behind.empty()) return {behind};
+  if (Doubt behind = falls_behind(s, recovery); !behind.why.empty()) return behind;
   if (std::string windows = doubt_of_windows(s, k, judged); !windows.empty()) return {windows};
   if (!moves_within_zones(recovery)) return {};
   const Atoms atoms = atoms_of(property);

@@ -138,5 +138,22 @@ TEST_F(RepairsInSpace, AllButAZoneOfThePlaneIsNoHigherThanALimit) {
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
 }
 
+// Its hold leads it, and a brake that is spent does not follow.
+TEST_F(RepairsInSpace, WhoFallsBehindItsHoldIsToldHowFastItMayBeLed) {
+  const auto page = [](const std::string& speed) {
+    return "spec behind;\nzone air = prism (rectangle (0 m, 0 m) to (40 m, 30 m)) from 0 m to 30 "
+           "m;\n" +
+           edited(a_quad, "brake >= 2", "brake >= 0.5") +
+           "controller back : safe for Quad = retreat within air speed " + speed +
+           ";\nmonitor fence for r : Quad { \"R1\" always r inside air; recover back; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms; priority fence; }\n";
+  };
+  const Outcome o = verified(page("1 m/s"));
+  EXPECT_EQ(o.status, exit_inconclusive) << o.out;
+  const double most = between(o.out, "a speed of `back` of ", " m/s works");
+  EXPECT_TRUE(works(page(std::to_string(most) + " m/s"))) << most;
+  EXPECT_FALSE(works(page(std::to_string(1.05 * most) + " m/s"))) << most;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
