@@ -92,6 +92,8 @@ class Mending {
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
       if (mends_it(*anew)) return text + " works" + as_played();
+      // what works beside a wider zone would be said of that one
+      if (std::holds_alternative<verify::WiderZone>(mends[k])) continue;
       left.emplace_back(&mends[k], by_turns(leaves(*anew)));
     }
     std::size_t tries = 0;
@@ -181,9 +183,14 @@ void offer_mends(Compilation& c, const PlayAnew& play, Report& report) {
   std::int64_t left_us = shown_us_most;
   for (verify::Decision& d : report.decisions) {
     for (Obligation& o : d.obligations) {
-      if (!is_open(o) || o.mends.empty()) continue;
+      if (!is_open(o) || (o.mends.empty() && o.or_else.empty())) continue;
       std::string works = Mending(c, play, report, d.name, o, left_us).run(o.mends);
-      if (!works.empty()) o.repair = std::move(works);
+      if (!o.or_else.empty()) {
+        if (works.empty()) works = o.or_else;
+        o.repair += (o.repair.empty() ? "" : ", or ") + works;
+      } else if (!works.empty()) {
+        o.repair = std::move(works);
+      }
     }
   }
 }

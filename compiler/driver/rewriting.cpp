@@ -20,6 +20,7 @@ using verify::LowerLanding;
 using verify::OtherZone;
 using verify::SameRecovery;
 using verify::SlowerRecovery;
+using verify::WiderZone;
 using Undo = std::function<void()>;  // none: nothing was changed
 
 template <class T>
@@ -216,8 +217,27 @@ std::string text(const sema::Spec& spec, const OtherZone& other) {
   return "`" + other.recovery + "` within a zone that is `" + zone + "`";
 }
 
-// ---- robots ------------------------------------------------------------------------------------
+// ---- zones and robots
+// ------------------------------------------------------------------------------------
 
+Undo rewritten(sema::Spec& spec, const WiderZone& wider) {
+  sema::Zone* const zone = named(spec.zones, wider.zone);
+  if (zone == nullptr || !zone->value) return {};
+  // the list of zones may move meanwhile, and its parts stay where they are
+  sema::ZoneExpr* const written = zone->value.get();
+  auto inner = std::make_unique<sema::ZoneExpr>();
+  std::swap(*written, *inner);
+  written->range = inner->range;
+  written->node = sema::ZoneOffset{std::move(inner), analysis::metres_of(wider.by_mm)};
+  return [written] {
+    auto was = std::move(std::get<sema::ZoneOffset>(written->node).operand);
+    *written = std::move(*was);
+  };
+}
+// "`grow(yard, 1.2 m)` in place of `yard`"
+std::string text(const sema::Spec&, const WiderZone& wider) {
+  return "`grow(" + wider.zone + ", " + metres(wider.by_mm) + ")` in place of `" + wider.zone + "`";
+}
 Undo rewritten(sema::Spec& spec, const LongerWait& longer) {
   sema::RobotKind* const kind = named(spec.kinds, longer.kind);
   if (kind == nullptr || !kind->energy) return {};

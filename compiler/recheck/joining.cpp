@@ -174,6 +174,7 @@ class Joins {
   [[nodiscard]] std::vector<Start> starts_of(int column, int row, std::size_t enough) const {
     const double least =
         limits_.as_clear_as_here ? std::max(0.0, clearance(column, row)) : limits_.route;
+    const double unsure_m = std::max(grid_.less, slack_m);
     std::vector<Start> found;
     int tested = 0;
     for (int off = 0; off <= std::max(columns_, rows_) && found.size() < enough; ++off) {
@@ -181,7 +182,7 @@ class Joins {
       for (int r = std::max(0, row - off); r <= std::min(rows_ - 1, row + off); ++r) {
         const bool side = std::abs(r - row) == off;
         for (int c = column - off; c <= column + off; c += side || off == 0 ? 1 : 2 * off) {
-          if (c < 0 || c >= columns_ || clearance(c, r) < least - table_m) continue;
+          if (c < 0 || c >= columns_ || clearance(c, r) < least - unsure_m) continue;
           ++tested;
           if (limits_.rest[index(c, r)] < 0) continue;
           if (limits_.middles_within &&

@@ -101,6 +101,11 @@ struct OtherZone {
   sema::ZoneId from{};
   std::vector<analysis::DeclaredPart> parts{};
 };
+// That a zone, by its name, is so much wider on every side.
+struct WiderZone {
+  std::string zone;
+  std::int64_t by_mm = 0;
+};
 // That others may keep robots of a kind waiting for so long.
 struct LongerWait {
   std::string kind;
@@ -108,7 +113,7 @@ struct LongerWait {
 };
 // What may be written in another way.
 using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding,
-                          OtherZone, LongerWait>;
+                          OtherZone, WiderZone, LongerWait>;
 
 struct Obligation {
   Kind kind{};
@@ -127,6 +132,8 @@ struct Obligation {
   std::optional<Turns> in_turns{};  // of `switching`, unknown
   // Which of these may mend what is open; nothing is claimed of them.
   std::vector<Mend> mends{};
+  // What works as well as `repair`, where none of the mends is found to; "": they replace it.
+  std::string or_else{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken; and
   // whether runs were played.
   bool declared = false, played = false;

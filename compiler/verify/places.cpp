@@ -284,7 +284,8 @@ Obligation returned_as_they_say(const Subject& s) {
     if (!s.is_read) return o;
     const std::vector<Need> zones = joint_needs_of(s).zones;
     const bool flat = !s.decision.body.in_space && !zones.empty() && s.decision.robots >= 2;
-    o.repair = flat ? room_that_works(s, zones) : "a wider zone is needed, or a smaller distance";
+    o.repair = "a wider zone is needed, or a smaller distance";
+    if (flat) offer_room(s, zones, o);
     return o;
   }
   if (std::string why = no_place_known(s); !why.empty()) {

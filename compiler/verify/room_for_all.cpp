@@ -68,19 +68,18 @@ std::size_t robots_of(const Subject& s) {
   return static_cast<std::size_t>(s.decision.robots);
 }
 
-// Where robots are given back in a zone that is so much wider; what snaps to the grid may be 5 mm
-// narrower.
+// Where robots are given back in a zone that is so much wider: it grows less than it is told.
 Floor grown_floor(const Subject& s, const std::vector<Need>& zones, std::int64_t by_mm) {
-  constexpr std::int64_t snapped_mm = 5;
+  const Rational by_m = analysis::metres_of(by_mm) - geometry::offset_excess_m();
   Floor floor;
   geometry::Region common = geometry::Region::everywhere();
   for (const Need& need : zones) {
-    const geometry::Region wide = s.exact(need.zone).grow(analysis::metres_of(by_mm));
-    const auto deep = analysis::within(wide, need.clearance_mm + snapped_mm);
+    const geometry::Region wide = s.exact(need.zone).grow(by_m);
+    const auto deep = analysis::within(wide, need.clearance_mm);
     common = deep ? common.intersect(*deep) : geometry::Region();
+    floor.corners += wide.vertices();
   }
   floor.around = common.rings();
-  floor.corners = common.vertices();
   floor.has = [common](const geometry::Point& at) { return common.contains(at); };
   return floor;
 }
@@ -112,18 +111,18 @@ std::optional<std::int64_t> growth_mm(const Subject& s, const std::vector<Need>&
   return high;
 }
 
-std::string what_works(const Subject& s, const std::vector<Need>& zones, const RoomForAll& room,
-                       const Apart& apart) {
+// Where robots are placed one by one there is not room in every wider zone: the least growth, and
+// somewhat more.
+void offer(const Subject& s, const std::vector<Need>& zones, const RoomForAll& room,
+           const Apart& apart, Obligation& o) {
   const auto most_mm = room.most_apart_mm(apart.centres_mm);
   const std::int64_t left_mm = most_mm.value_or(0) - (apart.centres_mm - apart.asked_mm);
+  o.repair = left_mm <= 0 ? "" : "a distance of at most " + metres(left_mm) + " works";
+  o.or_else = left_mm <= 0 ? "it takes a wider zone" : "a wider zone";
   const auto by_mm = growth_mm(s, zones, apart);
-  std::string wider = "a wider zone";
-  if (by_mm) {
-    const std::string name = s.module[zones.front().zone].name;
-    wider = "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`";
+  for (const std::int64_t more_mm : {0, 10, 20, 50, 100, 200}) {
+    if (by_mm) o.mends.emplace_back(WiderZone{s.module[zones.front().zone].name, *by_mm + more_mm});
   }
-  return left_mm <= 0 ? "it takes " + wider
-                      : "a distance of at most " + metres(left_mm) + " works, or " + wider;
 }
 
 }  // namespace
@@ -141,8 +140,8 @@ Floor floor_of(const Subject& s, const std::vector<Need>& all) {
   return floor;
 }
 
-std::string room_that_works(const Subject& s, const std::vector<Need>& zones) {
-  return what_works(s, zones, RoomForAll(robots_of(s), floor_of(s, zones)), apart_of(s));
+void offer_room(const Subject& s, const std::vector<Need>& zones, Obligation& o) {
+  offer(s, zones, RoomForAll(robots_of(s), floor_of(s, zones)), apart_of(s), o);
 }
 
 Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const Floor& floor,
@@ -157,9 +156,7 @@ Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const F
     o.method = "no proof";
     o.because = "no places were found where " + robots + " robots are given back, their centres " +
                 metres(apart.centres_mm) + " apart";
-    if (s.is_read) {
-      o.repair = what_works(s, floor.z_mm ? std::vector<Need>() : zones, room, apart);
-    }
+    if (s.is_read) offer(s, floor.z_mm ? std::vector<Need>() : zones, room, apart, o);
     o.claims.clear();
     return o;
   }

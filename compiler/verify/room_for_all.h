@@ -54,8 +54,8 @@ Floor floor_of(const Subject& s, const std::vector<Need>& all);
 Obligation all_at_once(const Subject& s, const std::vector<Need>& zones, const Floor& floor,
                        Obligation o);
 
-// What works instead of a distance that leaves no room for all robots in these zones of the plane:
-// a smaller one, or a wider zone.
-std::string room_that_works(const Subject& s, const std::vector<Need>& zones);
+// To `o`, what works, or may, instead of a distance that leaves no room for all robots in these
+// zones of the plane: a smaller one, or a wider zone.
+void offer_room(const Subject& s, const std::vector<Need>& zones, Obligation& o);
 
 }  // namespace rtac::verify

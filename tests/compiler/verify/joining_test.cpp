@@ -50,6 +50,33 @@ TEST_F(Joining, FromAWiderOneThereIsAWay) {
   EXPECT_EQ(rtac({"verify", "--recheck", "shown"}).status, exit_clean);
 }
 
+// In the long aisles of a house the end is only just within the cells that are tried: the recheck
+// counts as the recovery does, and no cell that is less clear by a hair.
+TEST_F(Joining, ALongAisleIsLookedAlongAsFarByTheRecheck) {
+  const Outcome o = verified(R"(spec rows;
+zone house = rectangle (0 m, 0 m) to (20 m, 12 m);
+zone beds  = rectangle (1.4 m, 1.4 m) to (18.6 m, 4.498 m) | rectangle (1.402 m, 5.902 m) to (18.6 m, 10.598 m);
+zone paths = house - beds;
+robot Picker {
+  body     radius 130 mm;
+  motion   point { speed <= 1 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense    position : point  error 3 cm   max_age 60 ms;
+  sense    velocity : vector error 3 cm/s max_age 60 ms;
+  output   push : acceleration;
+  latency  40 ms;
+}
+fleet pk : Picker;
+controller pick : advanced for Picker extern;
+controller back : safe for Picker = retreat within paths speed 0.2 m/s;
+monitor m for p : Picker { "G1: on the paths" always p inside paths; ahead 100 ms; recover back; }
+decision guard for Picker { advanced pick; period 50 ms; priority m; }
+)",
+                             {"--format", "json", "-o", "shown"});
+  EXPECT_EQ(statuses(o.out, "P2b", "m"), Statuses{"proved"}) << o.out << o.err;
+  const Outcome again = rtac({"verify", "--recheck", "shown"});
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
 // Who is seen with less than its body takes makes straight for where it is seen to fit, and takes
 // no detours: round the bend of a narrow passage no such place is in sight.
 TEST(JoiningOnceMore, WhoIsSeenToBeOutsideHasToSeeWhereItFits) {
