@@ -162,7 +162,8 @@ const sema::Decision* Claims::decision(const Values& v) const {
 }
 
 // Every number that is declared is rounded to the safe side, and no safer than that: it would not
-// be what the modules are compiled with.
+// be what the modules are compiled with. Of bounds that are derived from rounded numbers that is
+// not known to the step: as much wider as a weak brake in whole millimetres makes them.
 Found Claims::limits(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto jitter = number(v, "jitter_us");
@@ -175,7 +176,7 @@ Found Claims::limits(const Values& v) {
       spec_[d->kind].position
           ? Rational(Rational(ceil_to_int(Rational(n.radius * 1000))) / 1000 - n.radius)
           : Rational(0);
-  enum class Is { declared, derived };  // what is derived is a bound, which may be wider
+  enum class Is { declared, derived };
   const std::tuple<const char*, Rational, int, Is> least[] = {
       {"radius_mm", n.radius, 1000, Is::declared},
       {"position_error_mm", n.position_error + rounded, 1000, Is::declared},
@@ -186,15 +187,18 @@ Found Claims::limits(const Values& v) {
       {"speed_mmps", n.speed, 1000, Is::declared},
       {"disturbance_mmps2", n.disturbance, 1000, Is::declared},
       {"brake_lag_ms", n.aside, 1000, Is::derived},
-      {"brake_lag_permille", n.bend, 1000, Is::derived},
+      {"brake_lag_permille", n.bend, 1000, Is::declared},
       {"hold_mm", n.hold, 1000, Is::derived}};
   for (const auto& [key, value, steps, is] : least) {
     const auto claimed = number(v, key);
     if (!claimed || Rational(*claimed) < value * steps) {
       return wrong(std::string(key) + " is less than what is declared asks for");
     }
-    if (is == Is::declared && Rational(*claimed) >= value * steps + 1) {
-      return wrong(std::string(key) + " is more than what is declared");
+    const Rational most =
+        is == Is::declared ? Rational(value * steps) : Rational(value * steps * 11 / 10 + 5);
+    if (Rational(*claimed) >= most + 1) {
+      return wrong(std::string(key) + " is more than what is declared" +
+                   (is == Is::declared ? "" : " asks for"));
     }
   }
   const auto accel = number(v, "accel_mmps2"), brake = number(v, "brake_mmps2");
