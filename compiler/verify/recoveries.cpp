@@ -335,9 +335,9 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   const std::string why = reason(s.decision, i.recovery.name, j.name);
   o.because = entry.why;
   if (!entry.conflict.empty()) o.because += "; " + analysis::conflict_text(s.decision, entry);
+  if (!why.empty()) return acknowledged(std::move(o), why);
   const std::string within = entry.within.empty() ? "" : entry.within.front().help;
   o.repair = entry.help.empty() && !within.empty() ? within + " works" : entry.help;
-  if (!why.empty()) return acknowledged(std::move(o), why);
   if (atoms_of(j.property).received) return o;  // that it happens is not shown either
   o.status = Status::refuted;
   o.method = "geometry and bounds";

@@ -385,5 +385,40 @@ decision fly for Quad { advanced policy; period 50 ms; priority radio > limit; }
   EXPECT_TRUE(compiled(page("-1 m", "<= 10 m"))->diagnostics.all().empty());
 }
 
+// Where neither of two errors alone is too much, both are told, each by the same share.
+TEST(Offers, ErrorsThatAreTooMuchTogetherAreToldTogether) {
+  const auto cart = [](double place_m, double speed_mps) {
+    return R"(spec bags;
+zone apron = rectangle (0 m, 0 m) to (20 m, 20 m);
+site dock = (5 m, 10 m);
+robot Cart {
+  body     radius 60 cm;
+  motion   point { speed <= 2.5 m/s; accel <= 1.2 m/s^2; brake >= 1.5 m/s^2; }
+  sense    position : point  error )" +
+           std::to_string(place_m) + R"( m max_age 80 ms;
+  sense    velocity : vector error )" +
+           std::to_string(speed_mps) + R"( m/s max_age 80 ms;
+  sense    battery  : ratio  error 1 % max_age 5 s;
+  output   push : acceleration;
+  latency  50 ms;
+  energy   { drive <= 0.1 %/m; idle <= 0.005 %/s; drain <= 0.3 %/s; charge >= 0.5 %/s at dock; held <= 300 s; detour <= 20 m; }
+}
+fleet b : Cart;
+controller bags   : advanced for Cart extern;
+controller charge : safe for Cart = route to dock within apron speed 0.5 m/s;
+monitor power for c : Cart { "R1" always c.battery >= energy_to(dock) + 5 %; ahead 100 ms; recover charge; return when c.battery >= 80 %; }
+decision guard for Cart { advanced bags; period 100 ms; priority power; }
+)";
+  };
+  const auto c = compiled(cart(0.05, 0.04));
+  const auto of = [&](const std::string& what, const std::string& unit) {
+    return std::stod(
+        number_in_help(*c, Code::site_not_returnable, "of the " + what + " of at most ", unit));
+  };
+  const double place = of("position", "m"), speed = of("velocity", "m/s");
+  EXPECT_TRUE(without_offers(cart(place, speed))->module) << place << " " << speed;
+  EXPECT_FALSE(without_offers(cart(1.05 * place, 1.05 * speed))->module) << reports(*c);
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test
