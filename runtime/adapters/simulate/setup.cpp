@@ -40,25 +40,31 @@ double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths
   return least;
 }
 
-// Whether a robot at rest has the lengths that it needs to spare, and of a distance between two
-// robots what both of them need; what charges have to spare is another matter.
-bool stands(const sim::Property& p, const DecisionCase& d, const sim::Scene& scene) {
+// What is left of a margin beyond the lengths that a robot at rest needs to spare, and of a
+// distance between two robots beyond what both of them need; what charges have to spare is another
+// matter.
+double spare(const sim::Property& p, const DecisionCase& d, const sim::Scene& scene) {
   if (p.op == sim::PropertyOp::logical_and) {
-    return std::all_of(p.of.begin(), p.of.end(),
-                       [&](const sim::Property& part) { return stands(part, d, scene); });
+    double least = std::numeric_limits<double>::infinity();
+    for (const sim::Property& part : p.of) least = std::min(least, spare(part, d, scene));
+    return least;
   }
+  const double margin = margin_of(p, scene);
   const bool of_lengths =
       sim::steepness_per_m(p) > 0 || sim::speaks_of(p, sim::PropertyOp::agent_distance);
-  if (!of_lengths) return true;
+  if (!of_lengths) return margin;
   const int robots = sim::speaks_of(p, sim::PropertyOp::distance) ? 2 : 1;
-  return margin_of(p, scene) >= robots * d.standing_m;
+  return margin - robots * d.standing_m;
+}
+double spare_of(const DecisionCase& d, const std::vector<TruthState>& truths, std::size_t robot) {
+  const sim::Scene scene = scene_of(d.surroundings, truths, static_cast<int>(robot));
+  double least = std::numeric_limits<double>::infinity();
+  for (const sim::Property& p : d.properties) least = std::min(least, spare(p, d, scene));
+  return least;
 }
 bool stand(const DecisionCase& d, const std::vector<TruthState>& truths) {
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    const sim::Scene scene = scene_of(d.surroundings, truths, static_cast<int>(i));
-    for (const sim::Property& p : d.properties) {
-      if (!stands(p, d, scene)) return false;
-    }
+    if (spare_of(d, truths, i) < 0) return false;
   }
   return true;
 }
@@ -159,6 +165,36 @@ bool place_in_turn(const DecisionCase& d, const Field& field, const Scenario& sc
   return false;
 }
 
+// Where there is hardly room for all of them: one after the other goes where it has most to spare,
+// some way to any place, and rather not far.
+bool place_apart(const DecisionCase& d, const Field& field, const Scenario& scenario,
+                 Random& random, std::vector<TruthState>& truths) {
+  constexpr int rounds = 20, draws = 200;
+  truths.assign(d.robots.size(), {});
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    draw(d, field, named(scenario, d.robots[i]), random, truths[i]);
+  }
+  for (int n = 0; n < rounds; ++n) {
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      const Start* const fixed = named(scenario, d.robots[i]);
+      if (fixed != nullptr && fixed->place) continue;
+      double most = spare_of(d, truths, i);
+      for (int k = 0; k < draws; ++k) {
+        const TruthState before = truths[i];
+        draw(d, field, fixed, random, truths[i]);
+        const double share = std::pow(random.uniform(0, 1), 3);
+        Vec2& at = truths[i].position;
+        at = before.position + share * (at - before.position);
+        const double left = spare_of(d, truths, i);
+        if (left < most) truths[i] = before;
+        most = std::max(most, left);
+      }
+    }
+    if (stand(d, truths)) return true;
+  }
+  return false;
+}
+
 bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
                std::vector<TruthState>& truths) {
   constexpr int widenings_max = 6;
@@ -168,7 +204,13 @@ bool place_all(const DecisionCase& d, const Scenario& scenario, Random& random,
         place_together(d, field, scenario, random, truths)) {
       return true;
     }
-    if (!field.widen()) return false;
+    if (!field.widen()) break;
+  }
+  constexpr std::size_t robots_most = 12;
+  constexpr int turns = 8;
+  const bool may_be_apart = d.robots.size() > 1 && d.robots.size() <= robots_most;
+  for (int n = 0; may_be_apart && n < turns; ++n) {
+    if (place_apart(d, field, scenario, random, truths)) return true;
   }
   return false;
 }

@@ -73,6 +73,23 @@ TEST(Starts, LeaveRoomToStandAlsoWhereNobodyCanBeAlone) {
   }
 }
 
+// Two in corners and the third in the middle of the other side: hardly any draw finds them, nor does
+// one that begins in the middle.
+TEST(Starts, AreFoundWhereThereIsHardlyRoomForAll) {
+  const auto kept = [](double apart) {
+    DecisionCase d = hall(PropertyOp::forall);
+    d.properties[1].of[0].of[1].value = apart;
+    return d;
+  };
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    simulate::Setup setup;
+    const DecisionCase d = kept(12.3);
+    ASSERT_FALSE(make_setup(d, {}, seed, setup)) << seed;
+    EXPECT_GE(spare_of(d, setup), standing_m) << seed;
+    EXPECT_TRUE(make_setup(kept(13.5), {}, seed, setup)) << seed;
+  }
+}
+
 // A distance is kept by two, and a fence by each alone.
 TEST(Starts, AskOfAFenceWhatOneRobotNeeds) {
   for (const bool joined : {false, true}) {
