@@ -12,6 +12,7 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/waits.h"
+#include "compiler/analysis/windows.h"
 #include "compiler/ir/linear.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
@@ -119,13 +120,23 @@ std::vector<analysis::ToldInput> none_else_asks(const Subject& s, std::size_t k)
   return analysis::told_at_once(s.spec, {}, others).inputs;
 }
 
+// Whether time alone may have a robot that stands given back, or led on.
+bool waits_for_time(const ir::Monitor& m) {
+  constexpr std::int64_t soon_us = 5'000'000;
+  const bool asks = m.return_when && m.returns.how != ir::Returns::How::itself;
+  return asks || m.returns.after_us > soon_us || analysis::has_windows(m.property);
+}
+
 // The clearest place of the cell in the middle of a part: in the middle of a passage there is more
-// room than cells tell, which a way over them has to keep. Measured there it stays there.
-Start clearest_in_middle(const Subject& s, std::size_t k, ir::ZoneIndex zone,
-                         const analysis::Stranded& part) {
-  const geometry::Region& region = s.exact(zone);
-  const std::int64_t half_mm = s.module[zone].cells.cell_mm / 2;
-  Start clearest{{part.middle_x_mm, part.middle_y_mm}};
+// room than cells tell, which a way over them has to keep. Measured there a robot stays there;
+// none: control may be given back at once.
+std::optional<Start> clearest_in_middle(const Subject& s, std::size_t k, const ir::Recovery& last,
+                                        const analysis::Stranded& part) {
+  if (waits_for_time(s.decision.monitors[k])) return std::nullopt;
+  const geometry::Region& region = s.exact(last.zone);
+  const std::int64_t half_mm = s.module[last.zone].cells.cell_mm / 2;
+  const Rational back_m = analysis::metres_of(last.return_clearance_mm);
+  Start clearest;
   Rational most = 0;
   for (int i = 0; i < 9; ++i) {
     const std::int64_t x_mm = part.middle_x_mm + (i % 3 - 1) * half_mm;
@@ -137,21 +148,24 @@ Start clearest_in_middle(const Subject& s, std::size_t k, ir::ZoneIndex zone,
     most = square;
     clearest.place_mm = {x_mm, y_mm};
   }
+  if (most == 0 || most >= back_m * back_m) return std::nullopt;
   clearest.seen_there = true;
   clearest.told = none_else_asks(s, k);
   return clearest;
 }
 
 // In the middle of a part, and of the largest others.
-std::vector<Start> starts_in(const Subject& s, std::size_t k, ir::ZoneIndex zone,
+std::vector<Start> starts_in(const Subject& s, std::size_t k, const ir::Recovery& last,
                              const analysis::Stranded& part, const analysis::Ways& ways) {
   constexpr std::size_t most = 4;
-  std::vector<Start> all{clearest_in_middle(s, k, zone, part),
-                         {{part.middle_x_mm, part.middle_y_mm}}};
+  std::vector<Start> all{{{part.middle_x_mm, part.middle_y_mm}}};
+  if (auto clearest = clearest_in_middle(s, k, last, part)) {
+    all.insert(all.begin(), *std::move(clearest));
+  }
   for (const analysis::Stranded& other : ways.stranded) {
     if (all.size() == most) break;
     const bool same = other.x_mm == part.x_mm && other.y_mm == part.y_mm;
-    if (!same && holds_body(s, zone, other)) {
+    if (!same && holds_body(s, last.zone, other)) {
       all.push_back({{other.middle_x_mm, other.middle_y_mm}});
     }
   }
@@ -213,7 +227,7 @@ Obligation ways_back(const Subject& s, std::size_t k, Obligation o) {
     o.by_a_run = fits;
     if (fits) {
       o.place_mm = {part.x_mm, part.y_mm};
-      o.starts = starts_in(s, k, last.zone, part, ways);
+      o.starts = starts_in(s, k, last, part, ways);
     }
     o.because =
         "from (" + metres(part.x_mm) + ", " + metres(part.y_mm) + ") in " + quoted(zone.name) +
