@@ -419,8 +419,9 @@ class Recoveries {
     const auto works = grown(last, d, part.clearance_mm, over_cells, leads_back);
     // what has not been looked at, for want of time, and no width helps, may work as it is
     if (is_read && !is_shut && !works) return;
-    d.help = opened(last, d) + works.value_or("widen it") +
-             ", or join it to a wider part, or take it out of the zone";
+    const std::string without = opened(last, d);
+    d.help = without + works.value_or("widen it") + ", or join it to a wider part" +
+             (without.empty() ? ", or take it out of the zone" : "");
     // a site is reached wherever control returns
     if (!is_route) d.help += nearer(last.return_clearance_mm - part.clearance_mm, d);
     diagnostics_.report(std::move(d));
@@ -497,7 +498,7 @@ class Recoveries {
     const auto works = opening_that_works(*trials_, last.zone, least_mm,
                                           least_mm + 2 * module_[last.zone].cells.cell_mm,
                                           fault_of(of.code, of.range));
-    return works ? *works + ", which leaves out what is too narrow; or " : "";
+    return works ? *works + "; or " : "";
   }
 
   // The advanced controller never drives there: what is too narrow for control to be given back is

@@ -367,8 +367,10 @@ class WellFormed {
            "control cannot be handed back at `" + module_[way.site].name + "`: `" + way.name +
                "` may come to rest " + metres(off_mm) + " from it, and is charged within " +
                metres(dock_reach_mm),
-           others.empty() ? "its position and its velocity have to be measured better"
-                          : joined(others) + " works");
+           others.empty()
+               ? "what pushes it has to be weaker, or its position and its velocity have to be "
+                 "measured better, and sooner"
+               : joined(others) + " works");
   }
 
   // A recovery knows the clearance of whole cells: where these are wide, a place has more than its

@@ -199,7 +199,8 @@ std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex tabl
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (!by_mm) return std::nullopt;
   const std::string by = metres(*by_mm);
-  return "`grow(shrink(" + zone.name + ", " + by + "), " + by + ")` in place of `" + zone.name +
+  return "`grow(shrink(" + zone.name + ", " + by + "), " + by +
+         ")`, which leaves out what is too narrow, in place of `" + zone.name +
          "` wherever it is named works" + trials.leaves(dial.name, *by_mm, fault);
 }
 

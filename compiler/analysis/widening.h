@@ -40,9 +40,9 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex zone,
                                              std::int64_t most_mm, const Fault& fault,
                                              std::int64_t least_mm = 0);
 
-// "`grow(shrink(yard, 0.8 m), 0.8 m)` in place of `yard` works": the zone without what is narrower
-// than twice the least distance with which the whole specification has been tried, looked for from
-// `guess_mm` to `most_mm`. None: as of its growth, or it has no name.
+// "`grow(shrink(yard, 0.8 m), 0.8 m)`, ..., in place of `yard` works": the zone without what is
+// narrower than twice the least distance with which the whole specification has been tried, looked
+// for from `guess_mm` to `most_mm`. None: as of its growth, or it has no name.
 std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex zone,
                                               std::int64_t guess_mm, std::int64_t most_mm,
                                               const Fault& fault);

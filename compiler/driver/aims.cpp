@@ -86,12 +86,18 @@ Scenario inputs_told(const sema::Spec& spec, const std::vector<analysis::ToldInp
   return all;
 }
 
+// Inputs with which the `return when` of a monitor lets go: what else they may be is waited for.
+std::vector<analysis::ToldInput> that_let_go(const sema::Spec& spec, const std::string& monitor) {
+  const auto m = std::ranges::find(spec.monitors, monitor, &sema::Monitor::name);
+  if (m == spec.monitors.end() || !m->return_when) return {};
+  return analysis::told_to_be(spec, *m->return_when, true, analysis::ToldHow::seen).inputs;
+}
+
 // From where nothing leads back as long as the robot is measured there, from the start on, whoever
 // drives before.
 Scenario aimed_at_what_is_seen(Scenario there, const Obligation& o, const verify::Start& start,
                                const sema::Spec& spec, const std::vector<std::string>& robots) {
-  constexpr std::int64_t stands_s = 30;  // long enough to tell that it does
-  const std::int64_t kept_s = std::min(stands_s, there["return_within_s"].get<std::int64_t>());
+  constexpr std::int64_t kept_s = 30;  // long enough to tell that it stands
   there["runs"] = 4;
   there["return_within_s"] = kept_s;
   there["duration_s"] = kept_s + 1;
@@ -191,6 +197,7 @@ std::vector<Scenario> aimed_at(const Obligation& o, const sema::Spec& spec,
     about["return_within_s"] = kept_s;
     about["duration_s"] = 2 * kept_s + begins_s;
     about["runs"] = 20;
+    about["inputs"] = inputs_told(spec, that_let_go(spec, o.monitor));
     for (const verify::Start& start : o.starts) {
       if (start.seen_there) all.push_back(aimed_at_what_is_seen(about, o, start, spec, robots));
     }

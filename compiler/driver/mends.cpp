@@ -88,6 +88,10 @@ class Mending {
     const std::vector<Mend> mends = by_turns(offered);
     std::vector<std::pair<const Mend*, std::vector<Mend>>> left;
     for (std::size_t k = 0; k < std::min(mends.size(), tries_most); ++k) {
+      if (const auto* less = std::get_if<verify::LessApart>(&mends[k])) {
+        if (const auto most = most_that_works(*less)) return text_of(*c_.spec, *most) + " works";
+        continue;
+      }
       const std::string text = text_of(*c_.spec, mends[k]);
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
@@ -112,6 +116,18 @@ class Mending {
   }
 
  private:
+  // The largest distance with which it is shown, to a fiftieth of it; none: no smaller one helps.
+  std::optional<Mend> most_that_works(const verify::LessApart& asked) {
+    constexpr std::int64_t share = 50, hardly_any = 20;
+    std::int64_t low_mm = 0, high_mm = asked.most_mm;
+    while (high_mm - low_mm > (low_mm > 0 ? low_mm / share : asked.most_mm / hardly_any) + 1) {
+      const std::int64_t middle_mm = low_mm + (high_mm - low_mm) / 2;
+      const auto anew = with(verify::LessApart{asked.monitor, middle_mm});
+      (anew && mends_it(*anew) ? low_mm : high_mm) = middle_mm;
+    }
+    if (low_mm == 0) return std::nullopt;
+    return verify::LessApart{asked.monitor, low_mm};
+  }
   std::optional<Report> with(const Mend& mend) {
     if (left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most) return std::nullopt;
     const Rewriting written(*c_.spec, mend);
@@ -185,12 +201,9 @@ void offer_mends(Compilation& c, const PlayAnew& play, Report& report) {
     for (Obligation& o : d.obligations) {
       if (!is_open(o) || (o.mends.empty() && o.or_else.empty())) continue;
       std::string works = Mending(c, play, report, d.name, o, left_us).run(o.mends);
-      if (!o.or_else.empty()) {
-        if (works.empty()) works = o.or_else;
-        o.repair += (o.repair.empty() ? "" : ", or ") + works;
-      } else if (!works.empty()) {
-        o.repair = std::move(works);
-      }
+      if (works.empty()) works = o.or_else;
+      if (works.empty()) continue;
+      o.repair = (o.besides && !o.repair.empty() ? o.repair + ", or " : "") + works;
     }
   }
 }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "compiler/analysis/common_zone.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/sema/templates.h"
+#include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
 
 namespace rtac::driver {
@@ -15,6 +18,7 @@ namespace {
 
 using verify::EarlierReturn;
 using verify::LaterReturn;
+using verify::LessApart;
 using verify::LongerWait;
 using verify::LowerLanding;
 using verify::OtherZone;
@@ -120,6 +124,34 @@ std::string text(const sema::Spec& spec, const EarlierReturn& earlier) {
          "`";
 }
 
+// ---- how far apart robots stay ------------------------------------------------------------------
+
+// "distance(r, q) >= 3 m", of each that asks for more.
+Undo rewritten(sema::Spec& spec, const LessApart& less) {
+  sema::Monitor* const monitor = named(spec.monitors, less.monitor);
+  if (monitor == nullptr) return {};
+  const Rational most = analysis::metres_of(less.most_mm);
+  std::vector<std::pair<sema::Constant*, Rational>> written;
+  const auto lower = [&](sema::Expr& e, const auto& self) -> void {
+    sema::for_each_operand(e, [&](const sema::ExprPtr& operand) { self(*operand, self); });
+    auto* const compare = std::get_if<sema::Compare>(&e.node);
+    if (compare == nullptr || compare->op != sema::CompareOp::greater_equal) return;
+    if (!std::holds_alternative<sema::Distance>(compare->left->node)) return;
+    auto* const asked = std::get_if<sema::Constant>(&compare->right->node);
+    if (asked == nullptr || asked->value <= most) return;
+    written.emplace_back(asked, std::exchange(asked->value, most));
+  };
+  lower(*monitor->always, lower);
+  if (written.empty()) return {};
+  return [written] {
+    for (const auto& [asked, value] : written) asked->value = value;
+  };
+}
+// "a distance of at most 1.2 m in `apart`"
+std::string text(const sema::Spec&, const LessApart& less) {
+  return "a distance of at most " + metres(less.most_mm) + in_monitor(less.monitor);
+}
+
 // ---- recoveries --------------------------------------------------------------------------------
 
 Undo rewritten(sema::Spec& spec, const SameRecovery& same) {
@@ -217,8 +249,7 @@ std::string text(const sema::Spec& spec, const OtherZone& other) {
   return "`" + other.recovery + "` within a zone that is `" + zone + "`";
 }
 
-// ---- zones and robots
-// ------------------------------------------------------------------------------------
+// ---- zones and robots --------------------------------------------------------------------------
 
 Undo rewritten(sema::Spec& spec, const WiderZone& wider) {
   sema::Zone* const zone = named(spec.zones, wider.zone);

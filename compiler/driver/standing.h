@@ -5,8 +5,9 @@
 
 namespace rtac::driver {
 
-// Whether the first robot of a run stands where it begins until the end, and is not given back:
-// nothing has changed in it since, and nothing will.
-bool stands(const std::string& trace);
+// Whether the robot that a run is about, the first one, is kept in it and stays where it begins to
+// the end, without a turn. Where it is measured so, and nothing else changes, it does the same ever
+// after.
+bool stands(const std::string& trace, const std::string& robot);
 
 }  // namespace rtac::driver

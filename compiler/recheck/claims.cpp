@@ -162,8 +162,8 @@ const sema::Decision* Claims::decision(const Values& v) const {
 }
 
 // Every number that is declared is rounded to the safe side, and no safer than that: it would not
-// be what the modules are compiled with. Of bounds that are derived from rounded numbers that is
-// not known to the step: as much wider as a weak brake in whole millimetres makes them.
+// be what the modules are compiled with. Of a bound that is derived from rounded numbers that is so
+// to a few steps.
 Found Claims::limits(const Values& v) {
   const sema::Decision* const d = decision(v);
   const auto jitter = number(v, "jitter_us");
@@ -176,29 +176,35 @@ Found Claims::limits(const Values& v) {
       spec_[d->kind].position
           ? Rational(Rational(ceil_to_int(Rational(n.radius * 1000))) / 1000 - n.radius)
           : Rational(0);
-  enum class Is { declared, derived };
-  const std::tuple<const char*, Rational, int, Is> least[] = {
-      {"radius_mm", n.radius, 1000, Is::declared},
-      {"position_error_mm", n.position_error + rounded, 1000, Is::declared},
-      {"velocity_error_mmps", n.velocity_error, 1000, Is::declared},
-      {"position_age_us", n.position_age, 1'000'000, Is::declared},
-      {"velocity_age_us", n.velocity_age, 1'000'000, Is::declared},
-      {"latency_us", n.latency, 1'000'000, Is::declared},
-      {"speed_mmps", n.speed, 1000, Is::declared},
-      {"disturbance_mmps2", n.disturbance, 1000, Is::declared},
-      {"brake_lag_ms", n.aside, 1000, Is::derived},
-      {"brake_lag_permille", n.bend, 1000, Is::declared},
-      {"hold_mm", n.hold, 1000, Is::derived}};
-  for (const auto& [key, value, steps, is] : least) {
-    const auto claimed = number(v, key);
-    if (!claimed || Rational(*claimed) < value * steps) {
-      return wrong(std::string(key) + " is less than what is declared asks for");
+  const auto rounded_numbers = rounded_numbers_of(spec_, *d, n);
+  const Numbers widest = rounded_numbers.value_or(n);
+  struct Limit {
+    const char* key;
+    Rational least;
+    int steps;
+    std::optional<Rational> most = {};  // of one that is derived
+  };
+  const Limit all[] = {{"radius_mm", n.radius, 1000},
+                       {"position_error_mm", n.position_error + rounded, 1000},
+                       {"velocity_error_mmps", n.velocity_error, 1000},
+                       {"position_age_us", n.position_age, 1'000'000},
+                       {"velocity_age_us", n.velocity_age, 1'000'000},
+                       {"latency_us", n.latency, 1'000'000},
+                       {"speed_mmps", n.speed, 1000},
+                       {"disturbance_mmps2", n.disturbance, 1000},
+                       {"brake_lag_permille", n.bend, 1000},
+                       {"brake_lag_ms", n.aside, 1000, widest.aside},
+                       {"hold_mm", n.hold, 1000, widest.hold}};
+  constexpr std::int64_t derived_steps = 8;
+  for (const Limit& limit : all) {
+    const auto claimed = number(v, limit.key);
+    if (!claimed || Rational(*claimed) < limit.least * limit.steps) {
+      return wrong(std::string(limit.key) + " is less than what is declared asks for");
     }
-    const Rational most =
-        is == Is::declared ? Rational(value * steps) : Rational(value * steps * 11 / 10 + 5);
-    if (Rational(*claimed) >= most + 1) {
-      return wrong(std::string(key) + " is more than what is declared" +
-                   (is == Is::declared ? "" : " asks for"));
+    if (limit.most && !rounded_numbers) continue;
+    const std::int64_t more = limit.most ? derived_steps : 1;
+    if (Rational(*claimed) >= limit.most.value_or(limit.least) * limit.steps + more) {
+      return wrong(std::string(limit.key) + " is more than what is declared asks for");
     }
   }
   const auto accel = number(v, "accel_mmps2"), brake = number(v, "brake_mmps2");

@@ -119,8 +119,17 @@ Rational return_extra(const sema::Spec& spec, const sema::Decision& decision) {
 
 namespace {
 
+// Where nothing changes a velocity more than the brake does, a tube takes half of eta for more of
+// its square, if that is less at the greatest speed; as on time, so that how late a step may be
+// makes no difference to which of them it is.
+bool bends_by_half(const Numbers& n, const Rational& delay) {
+  const Rational on_time = n.velocity_error + n.brake * (delay - n.jitter);
+  return n.accel == n.brake && on_time / 2 * n.speed >= on_time * on_time * 6 / 5;
+}
+
+// `half`: as another one does, whose numbers are not rounded.
 Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
-                  const Rational& jitter) {
+                  const Rational& jitter, std::optional<bool> half_of = {}) {
   Numbers n;
   n.period = value(decision.period);
   n.jitter = jitter;
@@ -159,14 +168,10 @@ Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
   if (left <= 0) return n;
   const Rational delay = n.velocity_age + n.period + n.jitter + n.latency;
   const Rational eta = n.velocity_error + (n.brake + n.disturbance) * delay;
-  // Where nothing changes a velocity more than the brake does, half of the first for more of the
-  // second, if that is less at the greatest speed; as on time, so that how late a step may be makes
-  // no difference to which of them it is.
-  const Rational on_time = n.velocity_error + n.brake * (delay - n.jitter);
-  const bool half = n.accel == n.brake && on_time / 2 * n.speed >= on_time * on_time * 6 / 5;
+  n.half = half_of.value_or(bends_by_half(n, delay));
   const Hold hold = hold_of(n, delay);
-  n.aside = half ? Rational(eta / (2 * left)) : Rational(eta / left);
-  n.hold = (half ? Rational(11, 5) : Rational(1)) * eta * eta / left + hold.strays;
+  n.aside = n.half ? Rational(eta / (2 * left)) : Rational(eta / left);
+  n.hold = (n.half ? Rational(11, 5) : Rational(1)) * eta * eta / left + hold.strays;
   n.sway = hold.sways;
   // who promises to stay is measured at one end of its sway and may be at the other ever after
   if (kind.hears_max_age) n.hold = std::max(n.hold, Rational(2 * (hold.sways - n.position_error)));
@@ -176,11 +181,43 @@ Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
 
 }  // namespace
 
-Numbers numbers_of(const sema::Spec& spec, const sema::Decision& decision, const Rational& jitter) {
-  Numbers n = limits_of(spec[decision.kind], decision, jitter);
+namespace {
+
+Numbers with_hold(const sema::Spec& spec, const sema::Decision& decision, Numbers n) {
   if (n.brake > n.disturbance) {  // else no brake stops it
     n.hold = std::max(n.hold, led_beside(spec, decision, n)) + slack;
   }
+  return n;
+}
+Rational rounded_up(const Rational& value, long steps) {
+  Rational up(ceil_to_int(Rational(value * steps)), steps);
+  up.canonicalize();
+  return up;
+}
+
+}  // namespace
+
+Numbers numbers_of(const sema::Spec& spec, const sema::Decision& decision, const Rational& jitter) {
+  return with_hold(spec, decision, limits_of(spec[decision.kind], decision, jitter));
+}
+
+std::optional<Numbers> rounded_numbers_of(const sema::Spec& spec, const sema::Decision& decision,
+                                          const Numbers& exact) {
+  constexpr long milli = 1000, micro = 1'000'000;
+  sema::RobotKind kind = spec[decision.kind];
+  // a step more for what is rounded once it has been multiplied
+  const Rational step(1, milli);
+  if (kind.position) kind.position->error.value = rounded_up(exact.position_error, milli) + step;
+  if (kind.velocity) kind.velocity->error.value = rounded_up(exact.velocity_error, milli) + step;
+  Rational& brake = kind.motion.brake.value;
+  brake = -rounded_up(Rational(-exact.brake), milli);
+  if (exact.disturbance > 0) {
+    kind.motion.disturbance->value = rounded_up(exact.disturbance, milli);
+    kind.output_error.reset();
+  }
+  const Rational jitter = rounded_up(exact.jitter, micro);
+  const Numbers n = with_hold(spec, decision, limits_of(kind, decision, jitter, exact.half));
+  if (n.brake <= n.disturbance) return std::nullopt;
   return n;
 }
 

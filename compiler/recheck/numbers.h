@@ -2,6 +2,8 @@
 // look-ahead against any control; docs/templates.md: the brake and the hold). SI units.
 #pragma once
 
+#include <optional>
+
 #include "compiler/sema/spec.h"
 
 namespace rtac::recheck {
@@ -16,11 +18,17 @@ struct Numbers {
   // How far the sampled brake bends away, by a time at the speed that it begins with; and what is
   // left free for who holds a place, which of wheels is what grids and steering lead beside it.
   Rational aside, hold;
-  Rational sway;    // how far from the place that it holds it may rest, as it measures itself
-  Rational stands;  // how fast it may be there; 0 of wheels
-  Rational bend;    // of unicycles: share of the stopping distance
+  Rational sway;      // how far from the place that it holds it may rest, as it measures itself
+  Rational stands;    // how fast it may be there; 0 of wheels
+  Rational bend;      // of unicycles: share of the stopping distance
+  bool half = false;  // of the sampled brake: which of two tubes
 };
 Numbers numbers_of(const sema::Spec& spec, const sema::Decision& decision, const Rational& jitter);
+
+// The same of what is declared in whole millimetres, and all of it to the safe side: no bound that
+// is derived from such numbers is wider. nullopt: there is none, as such a brake stops nothing.
+std::optional<Numbers> rounded_numbers_of(const sema::Spec& spec, const sema::Decision& decision,
+                                          const Numbers& exact);
 
 // The least that a monitor may look ahead: a period, two where its recovery is external (rule 9.1).
 Rational least_ahead(const sema::Spec& spec, const sema::Decision& decision,

@@ -124,7 +124,8 @@ std::vector<analysis::ToldInput> none_else_asks(const Subject& s, std::size_t k)
 bool waits_for_time(const ir::Monitor& m) {
   constexpr std::int64_t soon_us = 5'000'000;
   const bool asks = m.return_when && m.returns.how != ir::Returns::How::itself;
-  return asks || m.returns.after_us > soon_us || analysis::has_windows(m.property);
+  return asks || ir::steps_of(m.recovery).size() > 1 || m.returns.after_us > soon_us ||
+         analysis::has_windows(m.property);
 }
 
 // The clearest place of the cell in the middle of a part: in the middle of a passage there is more
@@ -492,7 +493,9 @@ Obligation control_returns(const Subject& s, std::size_t k) {
                         ? analysis::return_seconds(s.kind, s.module, s.decision, m.recovery)
                         : std::nullopt;
   if (most) o.patience_s = std::max(o.patience_s, ceil_to_int(*most));
-  o.patience_s += ceil_to_int(Rational(static_cast<long>(m.returns.after_us), 1'000'000));
+  std::int64_t waits_us = m.returns.after_us;
+  for (const ir::Recovery* step : ir::steps_of(m.recovery)) waits_us += step->lasts_us;
+  o.patience_s += ceil_to_int(Rational(static_cast<long>(waits_us), 1'000'000));
   if (atoms_of(m.property).charge && s.kind.energy && s.kind.energy->charge.value > 0) {
     o.patience_s += ceil_to_int(Rational(1 / s.kind.energy->charge.value));  // from empty to full
   }

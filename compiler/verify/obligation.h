@@ -106,6 +106,12 @@ struct WiderZone {
   std::string zone;
   std::int64_t by_mm = 0;
 };
+// That the property of a monitor asks for no more than so much distance between robots: the most
+// that works is looked for.
+struct LessApart {
+  std::string monitor;
+  std::int64_t most_mm = 0;
+};
 // That others may keep robots of a kind waiting for so long.
 struct LongerWait {
   std::string kind;
@@ -113,7 +119,7 @@ struct LongerWait {
 };
 // What may be written in another way.
 using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding,
-                          OtherZone, WiderZone, LongerWait>;
+                          OtherZone, WiderZone, LessApart, LongerWait>;
 
 struct Obligation {
   Kind kind{};
@@ -132,7 +138,9 @@ struct Obligation {
   std::optional<Turns> in_turns{};  // of `switching`, unknown
   // Which of these may mend what is open; nothing is claimed of them.
   std::vector<Mend> mends{};
-  // What works as well as `repair`, where none of the mends is found to; "": they replace it.
+  // What works of them is said beside `repair`, and does not replace it; and what is where none
+  // does.
+  bool besides = false;
   std::string or_else{};
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken; and
   // whether runs were played.

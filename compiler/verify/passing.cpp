@@ -337,6 +337,10 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
                  metres(2 * yield.route_clearance_mm + 2 * zone.cells.cell_mm) + " wide";
   }
   if (!none.why.empty()) {
+    const std::int64_t asked_mm =
+        analysis::sure_separation_mm(s.decision.monitors[k].property, s.decision.facts.params);
+    o.besides = true;
+    if (s.is_read && asked_mm > 1) o.mends = {LessApart{o.monitor, asked_mm}};
     if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
     return unless_locked(s, yield, std::move(none.starts), std::move(o));
   }

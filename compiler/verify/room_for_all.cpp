@@ -118,7 +118,8 @@ void offer(const Subject& s, const std::vector<Need>& zones, const RoomForAll& r
   const auto most_mm = room.most_apart_mm(apart.centres_mm);
   const std::int64_t left_mm = most_mm.value_or(0) - (apart.centres_mm - apart.asked_mm);
   o.repair = left_mm <= 0 ? "" : "a distance of at most " + metres(left_mm) + " works";
-  o.or_else = left_mm <= 0 ? "it takes a wider zone" : "a wider zone";
+  o.besides = true;
+  o.or_else = "a wider zone is needed";
   const auto by_mm = growth_mm(s, zones, apart);
   for (const std::int64_t more_mm : {0, 10, 20, 50, 100, 200}) {
     if (by_mm) o.mends.emplace_back(WiderZone{s.module[zones.front().zone].name, *by_mm + more_mm});

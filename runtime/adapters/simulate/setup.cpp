@@ -41,18 +41,18 @@ double least_margin(const DecisionCase& d, const std::vector<TruthState>& truths
 }
 
 // What is left of a margin beyond the lengths that a robot at rest needs to spare, and of a
-// distance between two robots beyond what both of them need; what charges have to spare is another
-// matter.
+// distance between two robots beyond what both of them need; what is no length is there or not.
 double spare(const sim::Property& p, const DecisionCase& d, const sim::Scene& scene) {
+  constexpr double enough = std::numeric_limits<double>::infinity();
   if (p.op == sim::PropertyOp::logical_and) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = enough;
     for (const sim::Property& part : p.of) least = std::min(least, spare(part, d, scene));
     return least;
   }
   const double margin = margin_of(p, scene);
   const bool of_lengths =
       sim::steepness_per_m(p) > 0 || sim::speaks_of(p, sim::PropertyOp::agent_distance);
-  if (!of_lengths) return margin;
+  if (!of_lengths) return margin >= 0 ? enough : margin;
   const int robots = sim::speaks_of(p, sim::PropertyOp::distance) ? 2 : 1;
   return margin - robots * d.standing_m;
 }
@@ -184,7 +184,9 @@ bool place_apart(const DecisionCase& d, const Field& field, const Scenario& scen
         draw(d, field, fixed, random, truths[i]);
         const double share = std::pow(random.uniform(0, 1), 3);
         Vec2& at = truths[i].position;
+        double& height_m = truths[i].height_m;
         at = before.position + share * (at - before.position);
+        height_m = before.height_m + share * (height_m - before.height_m);
         const double left = spare_of(d, truths, i);
         if (left < most) truths[i] = before;
         most = std::max(most, left);

@@ -280,8 +280,8 @@ std::vector<Offer> offers() {
        part(&About::recovery, "land to +")},
       {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` wherever it is named works", "m",
        1000, Beyond::less, grown},
-      {"`grow\\(shrink\\(\\w+, " + number + " m\\), [0-9.]+ m\\)` in place of", "m", 1000,
-       Beyond::less, opened},
+      {"`grow\\(shrink\\(\\w+, " + number + " m\\), [0-9.]+ m\\)`, which", "m", 1000, Beyond::less,
+       opened},
       {"a zone with a ceiling of at most " + number + " m works", "m", 1000, Beyond::more,
        [](const About& a, const std::string& value) {
          const std::string zone = first_group(a.finding.message, "moves within `(\\w+)`");

@@ -69,6 +69,21 @@ TEST_F(MakingRoom, OfTwoRobotsOneFindsAWay) {
                          " | rectangle (8 m, 3 m) to (12 m, 5 m)"));
   EXPECT_NE(gate.find("robots that hold near (8."), std::string::npos) << gate;
 }
+// On a bench that is too small for the distance it says which one is not.
+TEST_F(MakingRoom, TheLargestDistanceThatLeavesAWayIsOffered) {
+  const auto bench = [](double apart_m) {
+    return halls_with("rectangle (0 m, 0 m) to (6 m, 4 m)", "a, b",
+                      "distance(r, q) >= " + std::to_string(std::lround(apart_m * 1000)) + " mm");
+  };
+  const std::string repair = room(bench(3))["repair"];
+  const std::string before = "or a distance of at most ", after = " m in `apart` works";
+  const std::size_t at = repair.find(before), end = repair.find(after);
+  ASSERT_NE(at, std::string::npos) << repair;
+  ASSERT_NE(end, std::string::npos) << repair;
+  const double most = std::stod(repair.substr(at + before.size()));
+  EXPECT_EQ(room(bench(most))["status"], "proved") << repair;
+  EXPECT_NE(room(bench(1.05 * most))["status"], "proved") << repair;
+}
 // Between a wall and a pillar they may stand square to the lane, where neither can come any nearer
 // to its side of it: then one of the two leaves along it, whichever way it is off the other.
 TEST_F(MakingRoom, OfTwoRobotsBesideAPillarOneFindsAWay) {

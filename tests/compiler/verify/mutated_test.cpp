@@ -40,8 +40,8 @@ std::int64_t wrong_by(const std::string& name, std::int64_t value) {
       {"returned.x_mm", 20'000},
       {"returned.y_mm", 20'000},
       // bounds of numbers that have been rounded before
-      {"limits.brake_lag_ms", 400},
-      {"limits.hold_mm", 400},
+      {"limits.brake_lag_ms", 20},
+      {"limits.hold_mm", 20},
       // held against a lower bound, which leaves out what the kernel rounds up
       {"place.clearance_mm", 60},
       {"seen.clearance_mm", 60},

@@ -91,6 +91,46 @@ decision drive for Cart { advanced nav; period 50 ms; priority halt > m; }
   EXPECT_EQ(without.status, exit_clean) << without.out << without.err;
 }
 
+// Two rooms that lie across the grid, and a passage between them from which a leg leads on: who
+// brakes for a minute before that, or turns for as long, stands meanwhile for 30 s and longer.
+TEST_F(Stranded, WhoIsYetToSetOutIsNotSaidToStand) {
+  const auto rooms = [](const std::string& motion, const std::string& recovery) {
+    const bool turns = motion.starts_with("unicycle");
+    return R"(spec cart;
+zone free = polygon [(5.000 m, 5.000 m), (8.825 m, 6.169 m), (8.401 m, 7.556 m), (10.314 m, 8.141 m), (10.738 m, 6.754 m), (14.563 m, 7.924 m), (13.394 m, 11.749 m), (9.568 m, 10.579 m), (9.992 m, 9.193 m), (8.080 m, 8.608 m), (7.656 m, 9.995 m), (3.831 m, 8.825 m)];
+robot Cart {
+  body radius 30 cm;
+  motion )" +
+           motion +
+           R"(
+  sense position : point error 2 cm max_age 80 ms;
+)" + (turns ? "  sense heading : angle error 1 deg max_age 80 ms;\n" : "") +
+           R"(  sense velocity : vector error 2 cm/s max_age 80 ms;
+  output move : )" +
+           (turns ? "twist" : "acceleration") + R"(;
+  latency 30 ms;
+}
+fleet cart : Cart;
+controller nav : advanced for Cart extern;
+controller back : safe for Cart = )" +
+           recovery + R"(;
+monitor m for c : Cart { "R2: stays in the ward" always c inside free; recover back; }
+decision drive for Cart { advanced nav; period 50 ms; priority m; }
+)";
+  };
+  const std::string retreat = "retreat within free speed 0.3 m/s";
+  const std::string pages[] = {
+      rooms("point { speed <= 0.8 m/s; accel <= 0.8 m/s^2; brake >= 0.8 m/s^2; }",
+            "sequence brake_and_hold for 60 s then " + retreat),
+      rooms("unicycle { speed <= 0.3 m/s; accel <= 0.8 m/s^2; brake >= 0.8 m/s^2; turn <= 0.04 "
+            "rad/s; }",
+            retreat)};
+  for (const std::string& page : pages) {
+    const Outcome o = verified(page, {"--format", "json"});
+    EXPECT_EQ(statuses(o.out, "P2b", "m"), Statuses{"unknown"}) << o.out << o.err;
+  }
+}
+
 // Its `return when` asks for what it does not lead to.
 TEST_F(Stranded, AboveTheHeightThatLetsItGoItIsLedNoLower) {
   expect_shown(page(hall, "r inside free; recover back; return when r.position.z <= 20 m;"),
