@@ -65,18 +65,6 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
   }
 }
 
-// As `grow`, or with a negative distance `shrink`, and as it was.
-void offset(sema::ZoneExprPtr& value, std::int64_t by_mm) {
-  auto by = std::make_unique<sema::ZoneExpr>();
-  by->range = value->range;
-  by->node = sema::ZoneOffset{std::move(value), metres_of(by_mm)};
-  value = std::move(by);
-}
-void take_offset_back(sema::ZoneExprPtr& value) {
-  auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
-  value = std::move(written);
-}
-
 using Works = std::function<bool(std::int64_t by_mm)>;
 
 // Between what does not work and what does.
@@ -111,6 +99,17 @@ std::optional<std::int64_t> least_that_works(std::int64_t guess_mm, std::int64_t
 }
 
 }  // namespace
+
+void offset(sema::ZoneExprPtr& value, std::int64_t by_mm) {
+  auto by = std::make_unique<sema::ZoneExpr>();
+  by->range = value->range;
+  by->node = sema::ZoneOffset{std::move(value), metres_of(by_mm)};
+  value = std::move(by);
+}
+void take_offset_back(sema::ZoneExprPtr& value) {
+  auto written = std::move(std::get<sema::ZoneOffset>(value->node).operand);
+  value = std::move(written);
+}
 
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t guess_mm,
                                         std::int64_t most_mm, const FitsZone& fits,

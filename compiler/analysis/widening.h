@@ -13,6 +13,7 @@
 #include "compiler/geometry/region.h"
 #include "compiler/geometry/solid.h"
 #include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
 
 namespace rtac::analysis {
 
@@ -27,6 +28,11 @@ using FitsZone =
 std::optional<std::int64_t> widening_mm(const geometry::Region& zone, std::int64_t guess_mm,
                                         std::int64_t most_mm, const FitsZone& fits,
                                         const FitsZone& whole = {});
+
+// What a zone is written as, within `grow`, or with a negative distance within `shrink`; and as it
+// was.
+void offset(sema::ZoneExprPtr& value, std::int64_t by_mm);
+void take_offset_back(sema::ZoneExprPtr& value);
 
 // Of the plane, or in space.
 using ExactShape = std::variant<geometry::Region, geometry::Solid>;

@@ -1,6 +1,7 @@
 #include "compiler/driver/rewriting.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "compiler/analysis/common_zone.h"
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/widening.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 #include "compiler/support/words.h"
@@ -254,16 +256,10 @@ std::string text(const sema::Spec& spec, const OtherZone& other) {
 Undo rewritten(sema::Spec& spec, const WiderZone& wider) {
   sema::Zone* const zone = named(spec.zones, wider.zone);
   if (zone == nullptr || !zone->value) return {};
-  // the list of zones may move meanwhile, and its parts stay where they are
-  sema::ZoneExpr* const written = zone->value.get();
-  auto inner = std::make_unique<sema::ZoneExpr>();
-  std::swap(*written, *inner);
-  written->range = inner->range;
-  written->node = sema::ZoneOffset{std::move(inner), analysis::metres_of(wider.by_mm)};
-  return [written] {
-    auto was = std::move(std::get<sema::ZoneOffset>(written->node).operand);
-    *written = std::move(*was);
-  };
+  const std::ptrdiff_t at = zone - spec.zones.data();  // the list may move meanwhile
+  analysis::offset(zone->value, wider.by_mm);
+  return
+      [&spec, at] { analysis::take_offset_back(spec.zones[static_cast<std::size_t>(at)].value); };
 }
 // "`grow(yard, 1.2 m)` in place of `yard`"
 std::string text(const sema::Spec&, const WiderZone& wider) {

@@ -73,8 +73,8 @@ TEST(Starts, LeaveRoomToStandAlsoWhereNobodyCanBeAlone) {
   }
 }
 
-// Two in corners and the third in the middle of the other side: hardly any draw finds them, nor does
-// one that begins in the middle.
+// Two in corners and the third in the middle of the other side: hardly any draw finds them, nor
+// does one that begins in the middle.
 TEST(Starts, AreFoundWhereThereIsHardlyRoomForAll) {
   const auto kept = [](double apart) {
     DecisionCase d = hall(PropertyOp::forall);
