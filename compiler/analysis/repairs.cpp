@@ -147,8 +147,40 @@ class Search {
       if (left_with(each) != least) continue;
       texts.push_back(each.text() + trials_.leaves(dial_of(*each.number), each.steps, fault_));
     }
-    if (texts.empty()) texts = errors_together();
     return texts;
+  }
+
+  // Where neither alone is enough, both of what is measured of a place and of a speed, each by the
+  // same share of what it is.
+  std::vector<std::string> errors_together() {
+    constexpr std::int64_t whole = 1000, per_unit = 1000;
+    if (!kind_.position || !kind_.velocity) return {};
+    Rational &place = kind_.position->error.value, &speed = kind_.velocity->error.value;
+    const Rational place_before = place, speed_before = speed;
+    if (place_before <= 0 || speed_before <= 0) return {};
+    const auto share = [&](const Rational& of, std::int64_t steps) {
+      Rational left(floor_to_int(Rational(of * steps * per_unit / whole)), per_unit);
+      left.canonicalize();
+      return left;
+    };
+    const auto write_both = [&](std::int64_t steps) {
+      place = share(place_before, steps), speed = share(speed_before, steps);
+      return place > 0 && speed > 0 && allowed();
+    };
+    const auto restore = [&] { place = place_before, speed = speed_before; };
+    const std::int64_t least = std::max(ceil_to_int(Rational(whole / (per_unit * place_before))),
+                                        ceil_to_int(Rational(whole / (per_unit * speed_before))));
+    const auto near = at_most(least, whole, [&](std::int64_t steps) {
+      return write_both(steps) && fits_(trial_of(spec_, kind_, decision_));
+    });
+    restore();
+    if (!near) return {};
+    const Dial dial{"the errors of " + decision_.name, whole, least, write_both, restore};
+    const auto steps = trials_.nearest(dial, *near, fault_);
+    if (!steps) return {};
+    return {"an `error` of the position of at most " + to_decimal(share(place_before, *steps)) +
+            " m with one of the velocity of at most " + to_decimal(share(speed_before, *steps)) +
+            " m/s" + trials_.leaves(dial.name, *steps, fault_)};
   }
 
  private:
@@ -188,38 +220,6 @@ class Search {
         n.grows ? at_least(written, fits) : at_most(least_allowed(n, written), written, fits);
     value->value = before;
     return found ? std::optional(Found{&n, written, *found}) : std::nullopt;
-  }
-  // Where neither alone is enough, both of what is measured of a place and of a speed, each by the
-  // same share of what it is.
-  std::vector<std::string> errors_together() {
-    constexpr std::int64_t whole = 1000, per_unit = 1000;
-    if (!kind_.position || !kind_.velocity) return {};
-    Rational &place = kind_.position->error.value, &speed = kind_.velocity->error.value;
-    const Rational place_before = place, speed_before = speed;
-    if (place_before <= 0 || speed_before <= 0) return {};
-    const auto share = [&](const Rational& of, std::int64_t steps) {
-      Rational left(floor_to_int(Rational(of * steps * per_unit / whole)), per_unit);
-      left.canonicalize();
-      return left;
-    };
-    const auto write_both = [&](std::int64_t steps) {
-      place = share(place_before, steps), speed = share(speed_before, steps);
-      return place > 0 && speed > 0 && allowed();
-    };
-    const auto restore = [&] { place = place_before, speed = speed_before; };
-    const std::int64_t least = std::max(ceil_to_int(Rational(whole / (per_unit * place_before))),
-                                        ceil_to_int(Rational(whole / (per_unit * speed_before))));
-    const auto near = at_most(least, whole, [&](std::int64_t steps) {
-      return write_both(steps) && fits_(trial_of(spec_, kind_, decision_));
-    });
-    restore();
-    if (!near) return {};
-    const Dial dial{"the errors of " + decision_.name, whole, least, write_both, restore};
-    const auto steps = trials_.nearest(dial, *near, fault_);
-    if (!steps) return {};
-    return {"an `error` of the position of at most " + to_decimal(share(place_before, *steps)) +
-            " m with one of the velocity of at most " + to_decimal(share(speed_before, *steps)) +
-            " m/s" + trials_.leaves(dial.name, *steps, fault_)};
   }
   // No robot is slower than its recoveries drive.
   std::int64_t least_allowed(const Number& n, std::int64_t written) {
@@ -316,6 +316,14 @@ std::vector<std::string> repairs(const sema::Decision& decision, Trials* trials,
                                  const Fits& fits) {
   return trials != nullptr ? Search(decision, *trials, fault, fits).run()
                            : std::vector<std::string>{};
+}
+
+std::vector<std::string> repairs_or_both_errors(const sema::Decision& decision, Trials* trials,
+                                                const Fault& fault, const Fits& fits) {
+  if (trials == nullptr) return {};
+  Search search(decision, *trials, fault, fits);
+  std::vector<std::string> alone = search.run();
+  return alone.empty() ? search.errors_together() : alone;
 }
 
 std::string joined(const std::vector<std::string>& texts) {

@@ -37,6 +37,9 @@ Trial with_lookahead(const sema::Spec& spec, const sema::Decision& decision, std
 // refuse are left out. Without `trials` none.
 std::vector<std::string> repairs(const sema::Decision& decision, Trials* trials, const Fault& fault,
                                  const Fits& fits);
+// The same, and where no number is enough alone, both errors of a place and of a speed.
+std::vector<std::string> repairs_or_both_errors(const sema::Decision& decision, Trials* trials,
+                                                const Fault& fault, const Fits& fits);
 
 // `a; b; or c`, each after `before`: "" without any.
 std::string joined(const std::vector<std::string>& texts);

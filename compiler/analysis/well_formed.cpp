@@ -360,9 +360,9 @@ class WellFormed {
     });
     if (!asks) return;
     const SourceRange range = source_of(way.site, 0);
-    const auto others =
-        repairs(of.written, of.trials, fault_of(Code::site_not_returnable, range),
-                [](const Trial& t) { return rests_off_mm(t.decision.body) <= dock_reach_mm; });
+    const auto others = repairs_or_both_errors(
+        of.written, of.trials, fault_of(Code::site_not_returnable, range),
+        [](const Trial& t) { return rests_off_mm(t.decision.body) <= dock_reach_mm; });
     report(monitor, Code::site_not_returnable, range,
            "control cannot be handed back at `" + module_[way.site].name + "`: `" + way.name +
                "` may come to rest " + metres(off_mm) + " from it, and is charged within " +

@@ -337,7 +337,7 @@ decision drive for Mower { advanced mow; period 100 ms; priority fence; }
     return said.substr(at + before.size(), said.find(" m)", at) - at - before.size());
   };
   const auto within = [&](const std::string& zone) {
-    return compiled(
+    return without_offers(
         edited(edited(edited(page, "inside free", "inside other"), "within free", "within other"),
                "robot Mower", "zone other = " + zone + ";\nrobot Mower"));
   };
