@@ -1,6 +1,5 @@
 #include "compiler/driver/standing.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -212,7 +212,7 @@ std::optional<Numbers> rounded_numbers_of(const sema::Spec& spec, const sema::De
   Rational& brake = kind.motion.brake.value;
   brake = -rounded_up(Rational(-exact.brake), milli);
   if (exact.disturbance > 0) {
-    kind.motion.disturbance->value = rounded_up(exact.disturbance, milli);
+    kind.motion.disturbance = sema::Quantity{rounded_up(exact.disturbance, milli), {}};
     kind.output_error.reset();
   }
   const Rational jitter = rounded_up(exact.jitter, micro);
