@@ -127,7 +127,7 @@ bool bends_by_half(const Numbers& n, const Rational& delay) {
   return n.accel == n.brake && on_time / 2 * n.speed >= on_time * on_time * 6 / 5;
 }
 
-// `half`: as another one does, whose numbers are not rounded.
+// `half_of`: as another one does, whose numbers are not rounded.
 Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
                   const Rational& jitter, std::optional<bool> half_of = {}) {
   Numbers n;
