@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "compiler/analysis/boundless.h"
+#include "compiler/analysis/by_border.h"
 #include "compiler/analysis/company.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
@@ -258,13 +259,23 @@ class Pair {
       }
       const auto zone = moves_within(*step);
       if (!zone || (*zone == fence && !step->claims)) continue;
-      const bool high = module_[fence].has_height() || module_[*zone].has_height();
-      if (!(high ? in_space(*step, fence) : in_plane(*step, fence, beyond_mm)) ||
-          !keeps_its_standoff(*step, fence, beyond_mm) || !comes_in(*step, fence)) {
-        return false;
-      }
+      const Entry before = entry_;
+      if (keeps_in_zone(*step, fence, beyond_mm)) continue;
+      if (!keeps_by_border(*step, {fence, beyond_mm.value_or(unbounded_mm)})) return false;
+      entry_ = before;
     }
     return true;
+  }
+  // Anywhere in the zone of the step.
+  bool keeps_in_zone(const ir::Recovery& step, ir::ZoneIndex fence,
+                     std::optional<std::int64_t> beyond_mm) {
+    const bool high = module_[fence].has_height() || module_[step.zone].has_height();
+    return (high ? in_space(step, fence) : in_plane(step, fence, beyond_mm)) &&
+           keeps_its_standoff(step, fence, beyond_mm) && comes_in(step, fence);
+  }
+  [[nodiscard]] bool keeps_by_border(const ir::Recovery& step, const Standoff& fence) const {
+    const auto by = by_border(kind_, take_over_, driving_);
+    return by && border_lies_deep(take_over_, step, *by, fence);
   }
   bool in_plane(const ir::Recovery& step, ir::ZoneIndex fence,
                 std::optional<std::int64_t> beyond_mm) {

@@ -581,6 +581,22 @@ class Deriver {
       recovery.return_clearance_mm = last.return_clearance_mm;
       recovery.route_clearance_mm = last.route_clearance_mm;
     }
+    lead_where_all_return(d.monitors);
+  }
+  // One controller drives for all monitors that name it, and leads to where each of them returns.
+  static void lead_where_all_return(std::vector<ir::Monitor>& monitors) {
+    const auto raise = [](ir::Recovery& r, const ir::Recovery& other) {
+      r.return_clearance_mm = std::max(r.return_clearance_mm, other.return_clearance_mm);
+    };
+    for (ir::Monitor& m : monitors) {
+      for (const ir::Monitor& other : monitors) {
+        if (other.recovery.name != m.recovery.name) continue;
+        raise(m.recovery, other.recovery);
+        for (std::size_t step = 0; step < m.recovery.steps.size(); ++step) {
+          raise(m.recovery.steps[step], other.recovery.steps[step]);
+        }
+      }
+    }
   }
   Lies how_it_lies(ir::ZoneIndex inner, const Standoff& outer) const {
     const EvaluatedZone &in = zone_of(inner), &out = zone_of(outer.zone);

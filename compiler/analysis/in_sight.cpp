@@ -22,6 +22,11 @@ std::int64_t whole_mm(double length) {
   return static_cast<std::int64_t>(std::ceil(length)) + 1;
 }
 
+// From corner to corner of a cell.
+std::int64_t across_mm(const ir::Cells& cells) {
+  return (3 * cells.cell_mm + 1) / 2;
+}
+
 }  // namespace
 
 std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
@@ -76,14 +81,22 @@ std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const i
   const std::int32_t least = in_mm(least_mm);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   geometry::StraightLegs near(edges, grid, least, in_mm(route_mm));
-  const geometry::StraightLegs far(edges, grid, least, in_mm(recovery.return_clearance_mm));
-  LedIn in{route_mm, goals_mm(decision, recovery).back()};
+  const std::vector<std::int64_t> goals = goals_mm(decision, recovery);
+  std::vector<geometry::StraightLegs> far;  // the deepest first
+  for (auto goal = goals.rbegin(); goal != goals.rend(); ++goal) {
+    far.emplace_back(edges, grid, least, in_mm(*goal));
+  }
+  LedIn in{route_mm, goals.back()};
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells.clearance_mm_lo[at];
     if (clearance < 0 || clearance >= body.radius_mm) continue;
     const auto leg = near.longest_from(at);
     in.first_mm = std::max(in.first_mm, whole_mm(leg ? *leg : near.farthest_from(at)));
-    in.all_mm = std::max(in.all_mm, whole_mm(far.farthest_from(at)));
+    for (geometry::StraightLegs& legs : far) {
+      const auto all = legs.longest_from(at);
+      in.all_mm = std::max(in.all_mm, whole_mm(all ? *all : legs.farthest_from(at)));
+      if (all) break;  // what is in sight is taken
+    }
   }
   in.first_mm += cells.cell_mm;
   in.all_mm += cells.cell_mm;
@@ -116,19 +129,21 @@ std::optional<std::int64_t> InSight::longest_mm(std::size_t at, std::size_t goal
 
 // A retreat looks for the deepest goal first, and a leg to it that is in sight and no longer than
 // twice what it wants is taken without a search. Straight away from the boundary it goes less far.
-std::optional<std::int64_t> InSight::always_mm() {
+std::optional<StraightLeg> InSight::always() {
   // twice what is wanted, which is rounded up here, and so is what is found
   constexpr std::int64_t rounded_mm = 6;
   if (legs_.empty()) return std::nullopt;
-  std::int64_t longest = deepest_mm_;
+  StraightLeg all{deepest_mm_, deepest_mm_};
   for (std::size_t at = 0; at < cells_.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells_.clearance_mm_lo[at];
     if (clearance < 0 || clearance >= return_mm_) continue;
     const auto leg = legs_.back().longest_from(at, double(2 * deepest_mm_ - rounded_mm));
     if (!leg) return std::nullopt;
-    longest = std::max(longest, whole_mm(*leg));
+    all.longest_mm = std::max(all.longest_mm, whole_mm(*leg));
+    const std::int64_t begins_mm = clearance + across_mm(cells_);
+    all.deepest_mm = std::max(all.deepest_mm, begins_mm + whole_mm(*leg));
   }
-  return longest;
+  return all;
 }
 
 std::optional<std::int64_t> InSight::longest_deeper_mm(const Marks& lost, const Marks& endless) {

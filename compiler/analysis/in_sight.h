@@ -39,6 +39,12 @@ struct LedIn {
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                             const ir::Decision& decision, const ir::Recovery& recovery);
 
+// The longest leg of one that takes no other way; and how far from the boundary of its zone one
+// leads through at most: the clearance where it begins and its length.
+struct StraightLeg {
+  std::int64_t longest_mm = 0, deepest_mm = 0;
+};
+
 // By goal and cell.
 using Marks = std::vector<std::vector<bool>>;
 
@@ -58,7 +64,7 @@ class InSight {
   // The longest leg from anywhere where control is not given back yet, if one is taken from all of
   // it and no way over cells: one to the goal that is tried first, and short enough. nullopt: from
   // some place none is known.
-  std::optional<std::int64_t> always_mm();
+  std::optional<StraightLeg> always();
   // The longest leg that may be taken where the search may not lead to a goal beyond the first,
   // from cells of which none is `lost`; nullopt: it may, along a way of which nothing is known.
   std::optional<std::int64_t> longest_deeper_mm(const Marks& lost, const Marks& endless);

@@ -3,21 +3,12 @@
 #include <algorithm>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/geometry/apart.h"
 #include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
-
-// What a robot surely has wherever the property holds; 0: nothing is known.
-std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Param>& params,
-                           ir::ZoneIndex zone) {
-  std::int64_t most = 0;
-  for (const std::vector<Standoff>& either : surely_in(property, params)) {
-    if (either.size() == 1 && either[0].zone == zone) most = std::max(most, either[0].mm);
-  }
-  return most;
-}
 
 // Offsets reach up to a millimetre too far at round corners, each in a way of its own: what keeps
 // the distance need not lie in what is left by the offset.
@@ -29,11 +20,26 @@ bool is_off(const geometry::Region& inner, const geometry::Region& outer, const 
 
 }  // namespace
 
+std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Param>& params,
+                           ir::ZoneIndex zone) {
+  std::int64_t most = 0;
+  for (const std::vector<Standoff>& either : surely_in(property, params)) {
+    if (either.size() == 1 && either[0].zone == zone) most = std::max(most, either[0].mm);
+  }
+  return most;
+}
+
+bool region_lies_deep(const geometry::Region& inner, const geometry::Region& outer,
+                      std::int64_t mm) {
+  if (mm <= touching_mm) return outer.contains(inner);
+  const auto kept = within(outer, mm);
+  return kept && (kept->contains(inner) || is_off(inner, outer, metres_of(mm)));
+}
+
 bool lies_deep(const ir::Module& module, const ExactZone& exact, const ExactSolid& solid,
                ir::ZoneIndex inner, const Standoff& outer) {
   const bool high = module[inner].has_height();
-  Rational by_m(static_cast<long>(outer.mm), 1000);
-  by_m.canonicalize();
+  const Rational by_m = metres_of(outer.mm);
   if (module[outer.zone].has_height()) {
     // what is that far off to the sides, and up and down, is that far off in space
     return high && solid(inner).subtract(solid(outer.zone).shrink(by_m, by_m)).empty();

@@ -2,7 +2,9 @@
 // within another zone than that of the property.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "compiler/analysis/recoveries_in_space.h"
 #include "compiler/analysis/recovery_places.h"
@@ -10,6 +12,16 @@
 #include "compiler/ir/module.h"
 
 namespace rtac::analysis {
+
+// What a robot surely has of the boundary of the zone wherever the property holds, in mm; 0:
+// nothing is known.
+std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Param>& params,
+                           ir::ZoneIndex zone);
+
+// Each place of the one lies in the other, so far from its boundary where that is more than
+// touching. false also where that is not known, as below.
+bool region_lies_deep(const geometry::Region& inner, const geometry::Region& outer,
+                      std::int64_t mm);
 
 // Each place of the inner zone is as far from the boundary of the outer one as is asked for, and in
 // it. false also where that is not known: an outline of very many vertices is not offset.

@@ -520,14 +520,14 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   return without_legs(over_cells(cells, module, decision, recovery));
 }
 
-std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
+std::optional<StraightLeg> straight_leg(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last) {
   if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
   const ir::ZoneTable& zone = module[last.zone];
   const std::vector<geometry::EdgeRow> edges = edges_of(zone);
-  thread_local geometry::Kept<Asked, std::optional<std::int64_t>> kept;
+  thread_local geometry::Kept<Asked, std::optional<StraightLeg>> kept;
   return kept.find(Asked(edges, zone.cells, decision, last),
-                   [&] { return InSight(edges, zone.cells, decision, last).always_mm(); });
+                   [&] { return InSight(edges, zone.cells, decision, last).always(); });
 }
 
 namespace {
@@ -595,8 +595,8 @@ Ending in_the_plane(const sema::RobotKind& kind, const ir::Module& module,
     return few_legs_seconds(kind, speed, decision.period_us, legs.count + legs.looks - 1,
                             legs.looks + 1, way_mm + legs.led_in_mm);
   };
-  if (const auto leg_mm = straight_mm(module, decision, last)) {
-    return {of_legs({}, *leg_mm), metres_of(*leg_mm)};
+  if (const auto leg = straight_leg(module, decision, last)) {
+    return {of_legs({}, leg->longest_mm), metres_of(leg->longest_mm)};
   }
   const auto cell_mm = static_cast<std::int32_t>(module[last.zone].cells.cell_mm);
   const Ending by_cells{travel_seconds(kind, speed, decision.period_us, cell_mm, joined_mm),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "compiler/analysis/in_sight.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
@@ -65,7 +66,7 @@ std::optional<std::size_t> robot_without_way(const ir::Module& module, const ir:
 
 // The longest leg of a retreat of the plane that takes one straight leg from everywhere, and no way
 // over cells. none: it may take a way.
-std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
+std::optional<StraightLeg> straight_leg(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last);
 
 // The legs of a recovery of the plane, if they are counted.

@@ -11,7 +11,7 @@
 namespace rtac::analysis {
 namespace {
 
-using namespace told;
+using namespace reading;
 
 constexpr int boxes_most = 4'000;  // of one with n inputs the (n + 1)th part
 

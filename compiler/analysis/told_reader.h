@@ -14,7 +14,7 @@
 #include "compiler/analysis/told.h"
 #include "compiler/sema/visit.h"
 
-namespace rtac::analysis::told {
+namespace rtac::analysis::reading {
 
 // Beyond what an input without a range may be, in SI units.
 inline const Rational endless = 1'000'000'000;
@@ -441,4 +441,4 @@ class Reader {
   mutable std::map<const sema::Expr*, Number> numbers_{};
 };
 
-}  // namespace rtac::analysis::told
+}  // namespace rtac::analysis::reading

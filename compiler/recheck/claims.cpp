@@ -4,6 +4,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "compiler/recheck/by_border.h"
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/fails.h"
 #include "compiler/recheck/lasting.h"
@@ -126,7 +127,7 @@ Found Claims::check(const Claim& claim) {
       {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
       {"level", &Claims::level},         {"comes_in", &Claims::comes_in},
       {"parting", &Claims::parting},     {"told", &Claims::told},
-      {"at_once", &Claims::at_once}};
+      {"at_once", &Claims::at_once},     {"by_border", &Claims::by_border}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -431,6 +432,12 @@ Found Claims::lasts(const Values& v) {
   const sema::Monitor* const m = d ? monitor_of(spec_, *d, text(v, "monitor")) : nullptr;
   if (m == nullptr || !m->recover || !d->period) return wrong("no such monitor");
   return check_lasting(spec_, *d, *this, *m, v);
+}
+
+Found Claims::by_border(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr || !d->period) return wrong("no such decision");
+  return check_by_border(spec_, *d, *this, v);
 }
 
 Found Claims::leaves(const Values& v) {

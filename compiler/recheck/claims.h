@@ -71,6 +71,7 @@ class Claims {
   std::optional<Doubt> led_in(const sema::Decision& d, const sema::Monitor& m, sema::ZoneId zone,
                               const Cells& cells, const Rational& route);
   std::optional<Doubt> lasts(const Values& v);
+  std::optional<Doubt> by_border(const Values& v);
   std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> parting(const Values& v);
   std::optional<Doubt> legs(const Values& v);

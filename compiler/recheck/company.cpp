@@ -124,17 +124,20 @@ std::optional<Rational> distance_asked(const sema::Spec& spec, const sema::Decis
   return distance_of(spec, property, true);
 }
 
+bool is_alone(const sema::Spec& spec, const sema::Decision& decision) {
+  return !spec[decision.kind].open_fleet &&
+         std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind) < 2;
+}
+
 bool judges_robots(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property) {
-  const bool alone = !spec[decision.kind].open_fleet &&
-                     std::ranges::count(spec.robots, decision.kind, &sema::Robot::kind) < 2;
   bool speaks = false;
   sema::for_each_expr(property, [&](const sema::Expr& part) {
     speaks = speaks || std::holds_alternative<sema::ForOthers>(part.node) ||
              std::holds_alternative<sema::CountOthers>(part.node) ||
              std::holds_alternative<sema::Distance>(part.node);
   });
-  return speaks && !alone;
+  return speaks && !is_alone(spec, decision);
 }
 
 bool asks_agents_only(const sema::Expr& property) {

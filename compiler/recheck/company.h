@@ -14,6 +14,8 @@ namespace rtac::recheck {
 bool kept_together(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);
 
+// Whether the fleet of a decision is one robot, and no more may join it.
+bool is_alone(const sema::Spec& spec, const sema::Decision& decision);
 // Whether there are other robots that it speaks of.
 bool judges_robots(const sema::Spec& spec, const sema::Decision& decision,
                    const sema::Expr& property);

@@ -14,6 +14,7 @@
 #include "compiler/recheck/sums.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/way_legs.h"
+#include "compiler/recheck/ways_said.h"
 #include "compiler/sema/templates.h"
 #include "compiler/sema/visit.h"
 
@@ -84,79 +85,6 @@ Rational most_gap(const sema::Spec& spec, const sema::Decision& d) {
   return most;
 }
 
-// What a claim says of the ways, in m.
-struct Said {
-  sema::ZoneId zone;
-  Cells cells;
-  Rational starts, route, back, aim, way;
-};
-std::optional<Said> said_of(Claims& claims, const Values& v) {
-  const auto zone = claims.zones().find(text(v, "zone"));
-  const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
-  if (!zone || !cell || *cell <= 0 || !x || !y) return std::nullopt;
-  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}, {}};
-  for (const auto& [key, to] :
-       {std::pair("starts_mm", &said.starts), std::pair("route_mm", &said.route),
-        std::pair("return_mm", &said.back), std::pair("aim_mm", &said.aim),
-        std::pair("way_mm", &said.way)}) {
-    const auto mm = number(v, key);
-    if (!mm || *mm < 0) return std::nullopt;
-    *to = milli(*mm);
-  }
-  return said;
-}
-
-// What one that loiters would like to have more.
-const Rational to_circle(1, 2);
-
-// Where a route leads, each robot to its own.
-std::vector<geometry::Point> sites_of(const sema::Spec& spec, const sema::Template& last) {
-  std::vector<geometry::Point> sites;
-  if (const auto* route = std::get_if<sema::Route>(&last)) {
-    for (const auto& place : spec[route->site].places) {
-      sites.push_back({place.position.x, place.position.y});
-    }
-  }
-  return sites;
-}
-
-// nullopt: nothing bounds it.
-std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
-                                const std::vector<geometry::Point>& sites,
-                                const sema::Template& last) {
-  auto most = longest_way(zone, said.cells, said.starts, said.route, said.back, sites);
-  if (!sites.empty()) return most;
-  // one that loiters would like to have half a metre more; a leg in sight is taken that is no
-  // longer than twice what is wanted
-  std::vector<Rational> aims{said.aim};
-  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + to_circle);
-  for (const Rational& aim : aims) {
-    const auto deeper = longest_way(zone, said.cells, said.starts, said.route, aim, sites, true);
-    if (!most || !deeper) return std::nullopt;
-    most = std::max({*most, *deeper, Rational(2 * aim)});
-  }
-  return most;
-}
-
-// From everywhere it takes a leg that is no longer, and searches for no way: one in sight to where
-// it aims at first, no longer than twice that clearance (which it takes to the millimetre).
-bool takes_legs(const geometry::Region& zone, const Said& said, const sema::RobotKind& kind,
-                const sema::Template& last, const Rational& leg) {
-  const bool loiters = std::holds_alternative<sema::Loiter>(last);
-  if (!loiters && !std::holds_alternative<sema::Retreat>(last)) return false;
-  const Rational aim = loiters ? Rational(said.aim + to_circle) : said.aim;
-  const Rational rounded(1, 250);
-  return aim <= leg && leg <= 2 * aim - rounded &&
-         legs_lead(zone, said.cells, kind.radius.value, said.back, aim, leg);
-}
-
-// What one aims at, from where control is given back on.
-std::vector<Rational> aims_of(const Said& said, const sema::Template& last) {
-  std::vector<Rational> aims{said.back, said.aim};
-  if (std::holds_alternative<sema::Loiter>(last)) aims.emplace_back(said.aim + to_circle);
-  return aims;
-}
-
 // Legs that are counted; who may be seen with less than its body takes is led in by one more.
 struct Legs {
   int count, looks;
@@ -177,16 +105,11 @@ std::optional<Legs> legs_of(const geometry::Region& zone, const Said& said, cons
   if (!most || *count > many || *count < std::int64_t(*most) + 1) return std::nullopt;
   Legs legs{static_cast<int>(*count), 1, milli(*led_in_mm)};
   if (!goes_back) return legs;  // it searches from outside, too
-  const Rational error = kind.position ? kind.position->error.value : Rational(0);
-  const Rational kept = std::min(Rational(said.starts - body), keeps);
-  if (kept >= error) return legs;
-  // it may be seen off the zone, from where nothing bounds a leg
-  if (kept + body <= error) return std::nullopt;
-  const auto in =
-      leads_in_within(zone, said.cells, body + kept - error, body, said.route, said.back);
-  if (!in || std::max(in->first, said.route) > legs.led_in) return std::nullopt;
+  const auto in = led_in(zone, said, kind, last, keeps);
+  if (!in) return std::nullopt;
+  if (in->all == 0) return legs;
   const Rational in_all = joined_way(said.way, milli(said.cells.cell_mm)) + legs.led_in;
-  if (std::max(in->all, aims.back()) > in_all) return std::nullopt;
+  if (in->first > legs.led_in || in->all > in_all) return std::nullopt;
   legs.looks = 2;
   return legs;
 }

@@ -384,6 +384,7 @@ class Check {
               {"zone", claims_.zones().name(inner)}});
       }
       for (const sema::ZoneId outer : asked.zones) {
+        if (stays_by_border(e, driving, m, inner, outer)) continue;
         lies_in(d, e, driving, m, inner, outer);
         if (inner == outer || sema::claim_of(recovery)) continue;
         const NamedZones& zones = claims_.zones();
@@ -433,6 +434,22 @@ class Check {
                    leads * 1000;
       });
     });
+  }
+  // A retreat need not lie all over in what it drives through only beside the border of its zone.
+  bool stays_by_border(const Entry& e, const sema::Monitor& driving, const sema::Monitor& m,
+                       sema::ZoneId inner, sema::ZoneId outer) {
+    const NamedZones& zones = claims_.zones();
+    const Rational gap = gap_of(spec_, *m.always, outer);
+    return std::ranges::any_of(e.claims, [&](const Claim& c) {
+      return c.what == "by_border" && text(c.values, "monitor") == driving.name &&
+             text(c.values, "judged") == m.name && text(c.values, "zone") == zones.name(inner) &&
+             text(c.values, "outer") == zones.name(outer) && covers(c, gap);
+    });
+  }
+  // A step of the grid is no more than touching.
+  static bool covers(const Claim& c, const Rational& gap) {
+    const Rational off(static_cast<long>(number(c.values, "standoff_mm").value_or(0)), 1000);
+    return gap <= Rational(1, 1000) || off >= gap;
   }
   void lies_in(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
                const sema::Monitor& m, sema::ZoneId inner, sema::ZoneId outer) {

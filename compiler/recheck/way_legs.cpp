@@ -314,7 +314,7 @@ std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cel
 
 std::optional<LedIn> leads_in_within(const geometry::Region& zone, const Cells& cells,
                                      const Rational& seen, const Rational& body,
-                                     const Rational& route, const Rational& back) {
+                                     const Rational& route, const std::vector<Rational>& aims) {
   const std::optional<OnGrid> found = on_grid(zone, cells);
   if (!found || found->cells.less > 0) return std::nullopt;
   const Grid& grid = found->cells;
@@ -325,7 +325,11 @@ std::optional<LedIn> leads_in_within(const geometry::Region& zone, const Cells& 
     if (grid.clearance[at] < 0 && !straight.holds_some(at)) continue;
     const auto leg = straight.longest_from(at, route.get_d());
     first = std::max(first, leg ? *leg : straight.farthest_from(at, route.get_d()));
-    all = std::max(all, straight.farthest_from(at, back.get_d()));
+    for (auto aim = aims.rbegin(); aim != aims.rend(); ++aim) {  // the deepest first
+      const auto seen_to = straight.longest_from(at, aim->get_d());
+      all = std::max(all, seen_to ? *seen_to : straight.farthest_from(at, aim->get_d()));
+      if (seen_to) break;  // what is in sight is taken
+    }
   }
   return LedIn{Rational(first), Rational(all)};
 }

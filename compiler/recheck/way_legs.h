@@ -21,12 +21,12 @@ std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cel
                                          const std::vector<geometry::Point>& sites);
 // The longest legs in sight that are taken by who is seen with less than its `body` takes, but at
 // least `seen`, from anywhere in the zone: the first to a place as clear as `route`, or else all
-// the way to one as clear as `back`.
+// the way to one as clear as the last of `aims` that is in sight.
 struct LedIn {
   Rational first, all;
 };
 std::optional<LedIn> leads_in_within(const geometry::Region& zone, const Cells& cells,
                                      const Rational& seen, const Rational& body,
-                                     const Rational& route, const Rational& back);
+                                     const Rational& route, const std::vector<Rational>& aims);
 
 }  // namespace rtac::recheck

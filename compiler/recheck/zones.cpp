@@ -355,7 +355,8 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
 }
 
 bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
-               const Rational& back_m, const Rational& aim_m, const Rational& most_m) {
+               const Rational& back_m, const Rational& aim_m, const Rational& most_m,
+               const std::optional<Rational>& deepest_m) {
   const std::vector<Segment> edges = segments_of(zone);
   const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return false;
@@ -363,7 +364,12 @@ bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational&
   for (std::size_t at = 0; at < grid->clearance.size(); ++at) {
     if (grid->clearance[at] >= back_m.get_d() + table_m) continue;
     if (grid->clearance[at] < 0 && !straight.holds_some(at)) continue;
-    if (!straight.longest_from(at, aim_m.get_d(), most_m.get_d())) return false;
+    double most = most_m.get_d();
+    if (deepest_m) {
+      const double begins = std::max(grid->clearance[at], 0.0) + grid->cell * std::sqrt(2.0);
+      most = std::min(most, deepest_m->get_d() - begins);
+    }
+    if (!straight.longest_from(at, aim_m.get_d(), most)) return false;
   }
   return true;
 }

@@ -89,9 +89,11 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
                                     const std::vector<geometry::Point>& sites, bool deeper = false);
 
 // Whether from anywhere in the zone with less than `back_m` a leg no longer than `most_m` leads to
-// a place as clear as `aim_m`, and keeps the clearance that it begins with.
+// a place as clear as `aim_m`, and keeps the clearance that it begins with; and is, with that, no
+// longer than `deepest_m`, where that is asked.
 bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
-               const Rational& back_m, const Rational& aim_m, const Rational& most_m);
+               const Rational& back_m, const Rational& aim_m, const Rational& most_m,
+               const std::optional<Rational>& deepest_m = {});
 
 // Of zones, which lie within 100 km of the origin; what reaches farther is a complement.
 bool has_end(const geometry::Region& region);

@@ -8,6 +8,33 @@
 #include "compiler/verify/proofs.h"
 
 namespace rtac::verify {
+namespace {
+
+std::string text(std::int64_t n) {
+  return std::to_string(n);
+}
+
+}  // namespace
+
+Claim with_ways(const Subject& s, Claim claim, const ir::Recovery& last) {
+  const ir::Body& body = s.decision.body;
+  const ir::ZoneTable& zone = s.module[last.zone];
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
+  const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
+  const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
+  claim = with_cells(std::move(claim), zone);
+  claim.values.merge(
+      std::map<std::string, std::string>{{"zone", zone.name},
+                                         {"way_mm", text(ways.longest_mm.value_or(0))},
+                                         {"starts_mm", text(body.radius_mm + keeps_mm)},
+                                         {"route_mm", text(last.route_clearance_mm)},
+                                         {"return_mm", text(last.return_clearance_mm)},
+                                         {"aim_mm", text(aim_mm)}});
+  if (const auto leg = analysis::straight_leg(s.module, s.decision, last)) {
+    claim.values["leg_mm"] = text(leg->longest_mm);
+  }
+  return claim;
+}
 
 std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   if (!s.kind.energy) return std::nullopt;
@@ -18,8 +45,6 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
   // of an `or` that is kept on one side, it may be more than is reckoned with
   if (end->seconds > s.kind.energy->held.value) return std::nullopt;
   if (end->metres > s.kind.energy->detour.value) return std::nullopt;
-  const ir::Body& body = s.decision.body;
-  const auto text = [](std::int64_t n) { return std::to_string(n); };
   const Claim lasts{"lasts",
                     {{"decision", s.decision.name},
                      {"monitor", m.name},
@@ -27,23 +52,7 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
                      {"driven_mm", text(ceil_to_int(Rational(end->metres * 1000)))},
                      {"extra_us", text(s.decision.return_extra_us)}}};
   if (!ir::moves(last.kind)) return lasts;
-  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
-  const std::int64_t way_mm = ways.longest_mm.value_or(0);
-  const ir::ZoneTable& zone = s.module[last.zone];
-  const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
-  const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
-  Claim claim = with_cells(lasts, zone);
-  claim.values.merge(
-      std::map<std::string, std::string>{{"zone", zone.name},
-                                         {"way_mm", text(way_mm)},
-                                         {"starts_mm", text(body.radius_mm + keeps_mm)},
-                                         {"route_mm", text(last.route_clearance_mm)},
-                                         {"return_mm", text(last.return_clearance_mm)},
-                                         {"aim_mm", text(aim_mm)}});
-  // one leg, and no way over cells
-  if (const auto leg_mm = analysis::straight_mm(s.module, s.decision, last)) {
-    claim.values["leg_mm"] = text(*leg_mm);
-  }
+  Claim claim = with_ways(s, lasts, last);
   if (end->legs) {
     claim.values["legs"] = text(end->legs->count);
     claim.values["led_in_mm"] = text(end->legs->led_in_mm);

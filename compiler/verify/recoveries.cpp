@@ -157,7 +157,7 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
   o = as_long_as_declared(s, k, m, std::move(o));
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
-  claim_zones(s, k, m, o.claims);
+  claim_zones(s, k, k, o.claims);
   claim_windows(s, k, o);
   if (m.recovery.kind != ir::RecoveryKind::brake) o.claims.push_back(lemma_claim("way_pieces"));
   for (const std::string& lemma : lemmas_of(atoms, s.decision, m)) {
@@ -423,7 +423,7 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
   o.method = "geometry and bounds";
   o.because = quoted(i.recovery.name) + " keeps " + quoted(j.name);
   o = as_long_as_declared(s, driving, j, std::move(o));
-  claim_zones(s, driving, j, o.claims);
+  claim_zones(s, driving, judged, o.claims);
   claim_windows(s, judged, o);
   if (atoms_of(j.property).charge && i.recovery.name != j.recovery.name) {
     if (const auto lasts = lasting_claim(s, driving)) {

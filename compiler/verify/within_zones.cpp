@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/by_border.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/stays_put.h"
@@ -113,8 +114,8 @@ std::vector<const ir::Recovery*> leading_steps(const Subject& s, const ir::Monit
 bool keeps_level(const Subject& s, const ir::Recovery& step, const analysis::Standoff& outer) {
   return !step.claims && analysis::lies_level(s.module, s.exact, s.solid, step.zone, outer);
 }
-// Of one step and one zone that the property asks for.
-Doubt doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
+// Anywhere in the zone of the step.
+Doubt doubt_of_zone(const Subject& s, const analysis::TakeOver& take_over,
                     const ir::Monitor& driving, const ir::Recovery& step,
                     const analysis::Standoff& outer) {
   if (step.zone == outer.zone && !step.claims) return {};
@@ -136,6 +137,35 @@ Doubt doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
               outer_name + " on its way, which is not convex",
           analysis::begins_inside(s.module[step.zone])};
 }
+// That it lies by the border of its zone; nullopt: that is not shown.
+std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_over,
+                               const ir::Monitor& driving, const analysis::Standoff& outer) {
+  const ir::Recovery& retreat = driving.recovery;
+  const auto by = analysis::by_border(s.kind, take_over, driving);
+  if (!by || !analysis::border_lies_deep(take_over, retreat, *by, outer)) return std::nullopt;
+  const auto text = [](std::int64_t n) { return std::to_string(n); };
+  Claim claim = with_ways(s,
+                          {"by_border",
+                           {{"decision", s.decision.name},
+                            {"monitor", driving.name},
+                            {"judged", s.decision.monitors[take_over.judged].name},
+                            {"outer", s.module[outer.zone].name},
+                            {"near_mm", text(by->near_mm)},
+                            {"led_in_mm", text(by->led_in_mm)},
+                            {"extra_us", text(s.decision.return_extra_us)}}},
+                          retreat);
+  if (by->leg) claim.values["deepest_mm"] = text(by->leg->deepest_mm);
+  if (outer.mm > analysis::touching_mm) claim.values["standoff_mm"] = text(outer.mm);
+  return claim;
+}
+// Of one step and one zone that the property asks for.
+Doubt doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
+                    const ir::Monitor& driving, const ir::Recovery& step,
+                    const analysis::Standoff& outer) {
+  Doubt doubt = doubt_of_zone(s, take_over, driving, step, outer);
+  if (doubt.why.empty() || by_border(s, take_over, driving, outer)) return {};
+  return doubt;
+}
 
 }  // namespace
 
@@ -143,18 +173,25 @@ bool moves_within_zones(const ir::Recovery& recovery) {
   return !moving_steps(recovery).empty();
 }
 
-void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
-                 std::vector<Claim>& claims) {
-  const ir::Monitor& driving = s.decision.monitors[k];
+void claim_zones(const Subject& s, std::size_t k, std::size_t of, std::vector<Claim>& claims) {
+  const ir::Monitor &driving = s.decision.monitors[k], &judged = s.decision.monitors[of];
   for (const ir::Recovery* step : moving_steps(driving.recovery)) {
     const auto around = stays_put(s, driving, *step, judged);
     if (around) claims.push_back(contained(s, around->zone, {step->zone, around->mm}));
   }
   const auto steps = leading_steps(s, driving, judged);
   const Keeping asked = keeping_of(s, k, judged.property);
+  const analysis::ExactSolid solid = any_solid(s);
+  const analysis::TakeOver take_over{s.module, s.decision, s.exact, solid, of, s.known.get()};
   for (const ir::Recovery* step : steps) {
     for (const analysis::Standoff& outer : asked.zones) {
       const ir::ZoneIndex inner = step->zone;
+      if (!doubt_of_zone(s, take_over, driving, *step, outer).why.empty()) {
+        if (auto claim = by_border(s, take_over, driving, outer)) {
+          claims.push_back(std::move(*claim));
+          continue;
+        }
+      }
       claims.push_back(keeps_level(s, *step, {outer.zone, 0}) ? level(s, inner, outer)
                                                               : contained(s, inner, outer));
       if (inner == outer.zone) continue;

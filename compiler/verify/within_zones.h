@@ -11,10 +11,9 @@ namespace rtac::verify {
 
 bool moves_within_zones(const ir::Recovery& recovery);
 
-// That each step of the recovery of monitor `k` stays within the zones of the property of `judged`,
-// or keeps one side of it.
-void claim_zones(const Subject& s, std::size_t k, const ir::Monitor& judged,
-                 std::vector<Claim>& claims);
+// That each step of the recovery of monitor `k` stays within the zones of the property of monitor
+// `of`, or keeps one side of it.
+void claim_zones(const Subject& s, std::size_t k, std::size_t of, std::vector<Claim>& claims);
 
 // Why that is not shown.
 Doubt doubt_of_zones(const Subject& s, std::size_t k, std::size_t judged);

@@ -143,7 +143,7 @@ decision guard for Rover { advanced ac; period 200 ms; priority pondoff > dryin;
 // Nor is one that has a name of its own: the next report would ask for an end.
 TEST(Offers, NoZoneWithoutAnEnd) {
   const auto c = compiled(R"(spec lake;
-zone pond = polygon [(2 m, 2 m), (5 m, 3 m), (4 m, 6 m)];
+zone pond = polygon [(1 m, 1 m), (5 m, 3 m), (4 m, 6 m)];
 zone land = complement(pond);
 zone yard = rectangle (0 m, 0 m) to (20 m, 20 m);
 zone bank = yard - pond;

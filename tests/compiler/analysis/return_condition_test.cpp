@@ -497,5 +497,39 @@ decision gate for Bot { advanced job; period 100 ms; priority charge; }
   EXPECT_EQ(reports(*charged).find("has no way from some places"), std::string::npos);
 }
 
+// One controller drives for both, and has one clearance that it leads to: a robot that one of them
+// has it lead, and the other one not let go, would wait for ever.
+TEST(ReturnCondition, OneRecoveryLeadsToWhereAllOfItsMonitorsReturn) {
+  for (const std::string what :
+       {"retreat within yard speed 0.4 m/s",
+        "sequence brake_and_hold for 1 s then retreat within yard speed 0.4 m/s"}) {
+    const auto c = compiled(R"(spec yard;
+zone yard = rectangle (0 m, 0 m) to (30 m, 30 m);
+robot Rover {
+  body radius 20 cm;
+  motion point { speed <= 1.5 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense position : point error 2 cm max_age 50 ms;
+  sense velocity : vector error 2 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 10 ms;
+}
+fleet one : Rover;
+controller drive  : advanced for Rover extern;
+controller inward : safe for Rover = )" +
+                            what +
+                            R"(;
+monitor fence for r : Rover { "R1: in the yard" always r inside yard; recover inward; }
+monitor apart for r : Rover { "R2: well in it" always clearance(r, yard) >= 30 cm; recover inward; return when clearance(r, yard) >= 2 m; }
+decision d for Rover { advanced drive; period 50 ms; priority fence > apart; }
+)");
+    ASSERT_FALSE(c->diagnostics.has_errors()) << reports(*c);
+    const auto& monitors = c->module->decisions[0].monitors;
+    const ir::Recovery &one = monitors[0].recovery, &other = monitors[1].recovery;
+    EXPECT_GT(one.return_clearance_mm, 2200);
+    EXPECT_EQ(one.return_clearance_mm, other.return_clearance_mm);
+    EXPECT_EQ(ir::last_step(one).return_clearance_mm, ir::last_step(other).return_clearance_mm);
+  }
+}
+
 }  // namespace
 }  // namespace rtac::analysis::test

@@ -1,0 +1,32 @@
+// A retreat that drives beside the border of its zone alone: who is clear enough of it does not set
+// out, and who is not is led no farther than a way is long.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "compiler/analysis/in_sight.h"
+#include "compiler/analysis/standoffs.h"
+#include "compiler/analysis/straight_in.h"
+#include "compiler/ir/module.h"
+#include "compiler/sema/spec.h"
+
+namespace rtac::analysis {
+
+struct ByBorder {
+  std::int64_t near_mm = 0;  // no body that it drives is farther from the boundary of its zone
+  std::optional<StraightLeg> leg{};  // it takes one from everywhere, and no way over cells
+  std::int64_t led_in_mm = 0;  // who is seen with less clearance than its body takes is led so far
+};
+
+// Of a retreat of the plane that is the whole recovery of `driving`, from where it takes over while
+// the property of `at` holds: the robot is in its zone. nullopt: nothing bounds that, as where
+// other robots of the fleet may stand in the way of its ways, or it is no such recovery.
+std::optional<ByBorder> by_border(const sema::RobotKind& kind, const TakeOver& at,
+                                  const ir::Monitor& driving);
+
+// Whether all bodies that it drives lie in the fence, as far from its boundary.
+bool border_lies_deep(const TakeOver& at, const ir::Recovery& retreat, const ByBorder& by,
+                      const Standoff& fence);
+
+}  // namespace rtac::analysis
