@@ -275,7 +275,7 @@ class Pair {
   }
   [[nodiscard]] bool keeps_by_border(const ir::Recovery& step, const Standoff& fence) const {
     const auto by = by_border(kind_, take_over_, driving_);
-    return by && border_lies_deep(take_over_, step, *by, fence);
+    return by && border_lies_deep(take_over_, step.zone, by->near_mm, fence);
   }
   bool in_plane(const ir::Recovery& step, ir::ZoneIndex fence,
                 std::optional<std::int64_t> beyond_mm) {

@@ -9,6 +9,7 @@
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/analysis/travel.h"
+#include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
 namespace {
@@ -32,6 +33,21 @@ std::optional<ByBorder> led_by(const ir::Module& module, const ir::Decision& dec
   }
   by.near_mm = std::max(by.near_mm, decision.body.radius_mm + by.led_in_mm);
   return by;
+}
+
+// It fails nowhere but near the boundary of the zone, or because its robot is fast there.
+bool asks_for_zone_alone(const ir::Decision& d, const ir::Block& block, ir::ValueId id,
+                         ir::ZoneIndex zone) {
+  const ir::Op& op = block[id].op;
+  if (const auto* both = std::get_if<ir::And>(&op)) {
+    return asks_for_zone_alone(d, block, both->a, zone) &&
+           asks_for_zone_alone(d, block, both->b, zone);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return false;
+  const auto bound = ir::lower_bound(block, *compare, d.facts.params);
+  return bound && bound->leaf.kind == ir::Leaf::Kind::clearance &&
+         ir::ZoneIndex{bound->leaf.table} == zone;
 }
 
 }  // namespace
@@ -63,12 +79,39 @@ std::optional<ByBorder> by_border(const sema::RobotKind& kind, const TakeOver& a
   return by;
 }
 
-bool border_lies_deep(const TakeOver& at, const ir::Recovery& retreat, const ByBorder& by,
+std::optional<std::int64_t> let_go_within_mm(const sema::RobotKind& kind, const TakeOver& at,
+                                             std::size_t k) {
+  const ir::Decision& d = at.decision;
+  const ir::Recovery& retreat = d.monitors[k].recovery;
+  // a look-ahead under commands may fail elsewhere
+  const auto by = ir::judges_commands(d) ? std::nullopt : by_border(kind, at, d.monitors[k]);
+  if (!by) return std::nullopt;
+  std::int64_t ahead_us = 0, asked_mm = 0;
+  for (const ir::Monitor& m : d.monitors) {
+    if (m.recovery.name != retreat.name) continue;
+    const auto asks = [&](const ir::Block& says) {
+      return asks_for_zone_alone(d, says, says.result, retreat.zone);
+    };
+    if (!asks(m.property) || (m.return_when && !asks(*m.return_when))) {
+      return std::nullopt;
+    }
+    ahead_us = std::max(ahead_us, m.lookahead.duration_us);
+    asked_mm = std::max(asked_mm, fence_standoff_mm(m.property, d.facts.params, retreat.zone));
+  }
+  // a look-ahead that fails covers the stop as well, whichever way that leads
+  const std::int64_t fails_mm =
+      cruise_clearance_mm(d, d.motions[0], ahead_us + d.return_extra_us) + asked_mm;
+  const std::int64_t brakes_mm = std::max(2 * fails_mm, fails_mm + retreat.return_clearance_mm) +
+                                 off_hold_mm(d.body) + d.body.hold_mm;
+  return std::max(by->near_mm, brakes_mm);
+}
+
+bool border_lies_deep(const TakeOver& at, ir::ZoneIndex zone, std::int64_t near_mm,
                       const Standoff& fence) {
   if (at.module[fence.zone].has_height()) return false;
-  const auto middle = within(at.exact(retreat.zone), by.near_mm);
+  const auto middle = within(at.exact(zone), near_mm);
   if (!middle) return false;
-  return region_lies_deep(at.exact(retreat.zone).subtract(*middle), at.exact(fence.zone), fence.mm);
+  return region_lies_deep(at.exact(zone).subtract(*middle), at.exact(fence.zone), fence.mm);
 }
 
 }  // namespace rtac::analysis

@@ -25,8 +25,14 @@ struct ByBorder {
 std::optional<ByBorder> by_border(const sema::RobotKind& kind, const TakeOver& at,
                                   const ir::Monitor& driving);
 
-// Whether all bodies that it drives lie in the fence, as far from its boundary.
-bool border_lies_deep(const TakeOver& at, const ir::Recovery& retreat, const ByBorder& by,
+// How far from there the robot is at most wherever monitor `k` lets such a retreat go: by then it
+// has been led by it, or has braked where the look-ahead of its monitors failed, which ask for
+// nothing but that zone. nullopt: it may be elsewhere, as where inputs have it drive.
+std::optional<std::int64_t> let_go_within_mm(const sema::RobotKind& kind, const TakeOver& at,
+                                             std::size_t k);
+
+// Whether all of the zone that is no farther from its boundary lies in the fence, as deep.
+bool border_lies_deep(const TakeOver& at, ir::ZoneIndex zone, std::int64_t near_mm,
                       const Standoff& fence);
 
 }  // namespace rtac::analysis

@@ -193,7 +193,8 @@ class Turns {
     });
     if (other || (!zones.empty() && is_choice(says, true))) return false;
     return std::all_of(zones.begin(), zones.end(), [&](sema::ZoneId zone) {
-      return leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone));
+      return (leaves_room(i, zone) && (leads_on(i, j) || lets_go_in(i, zone))) ||
+             lets_go_by_border(i, j, zone);
     });
   }
   // The same way leads on to its sites, and each of them is as clear as control returns at with all
@@ -278,6 +279,51 @@ class Turns {
     return all_zones(*own.always).empty() ||
            lies_deep(*own.always, claims_.return_clearance(d_, own, extra()), zone) ||
            (own.return_when && lies_deep(*own.return_when, spec_[d_.kind].radius.value, zone));
+  }
+  // Recovery i is proved to drive beside the border of its zone alone while monitor j holds; where
+  // the look-ahead of those that it drives for fails it brakes, no farther than that covers.
+  bool lets_go_by_border(std::size_t i, std::size_t j, sema::ZoneId zone) {
+    const auto* const retreat = std::get_if<sema::Retreat>(&recovery(i).implementation);
+    const Entry* const kept = find(part_, "C", monitor(j).name, recovery(i).name);
+    const Claim* const by = retreat == nullptr || kept == nullptr || !keeps(i, j)
+                                ? nullptr
+                                : claim_with(*kept, "by_border",
+                                             {{"monitor", monitor(i).name},
+                                              {"judged", monitor(j).name},
+                                              {"zone", claims_.zones().name(retreat->zone)}});
+    const auto near_mm = by != nullptr ? number(by->values, "near_mm") : std::nullopt;
+    const auto back_mm = by != nullptr ? number(by->values, "return_mm") : std::nullopt;
+    if (!near_mm || !back_mm) return false;
+    Rational gap = 0, ahead = 0;
+    for (const sema::MonitorId id : d_.priority) {
+      const sema::Monitor& m = spec_[id];
+      if (m.recover != monitor(i).recover) continue;
+      const bool alone =
+          asks_for_alone(*m.always, retreat->zone) &&
+          (m.return_when == nullptr || asks_for_alone(*m.return_when, retreat->zone));
+      if (!alone) return false;
+      gap = std::max(gap, gap_of(spec_, *m.always, retreat->zone));
+      ahead = std::max(ahead, m.ahead.duration ? m.ahead.duration->value : least_ahead(m));
+    }
+    const Numbers n = numbers_of(spec_, d_, jitter_of(spec_, d_));
+    const Rational fails = cruising_clearance(n, n.speed, ahead + extra()) + gap;
+    const Rational brakes = fails + std::max(fails, milli(*back_mm)) + n.sway + n.hold;
+    const geometry::Region* const own = claims_.zones().region(retreat->zone);
+    const geometry::Region* const other = claims_.zones().region(zone);
+    if (own == nullptr || other == nullptr) return false;
+    const auto middle = own->offset(-std::max(milli(*near_mm), brakes));
+    const Rational need = claims_.return_clearance(d_, zone, extra());
+    return middle && other->shrink(without_excess(need)).contains(own->subtract(*middle));
+  }
+  // It fails nowhere but near the boundary of the zone, or because its robot is fast there.
+  bool asks_for_alone(const sema::Expr& says, sema::ZoneId zone) {
+    const auto* logic = std::get_if<sema::Logic>(&says.node);
+    if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
+      return std::ranges::all_of(
+          logic->operands, [&](const sema::ExprPtr& each) { return asks_for_alone(*each, zone); });
+    }
+    const auto floor = floor_of(spec_, says, true);
+    return floor && floor->zone == zone;
   }
   // Wherever a property holds with `more` to spare; of an `or`, of each of its sides.
   bool lies_deep(const sema::Expr& says, const Rational& more, sema::ZoneId zone,

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "compiler/analysis/by_border.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/paces.h"
@@ -147,6 +148,15 @@ std::int64_t returned_mm(const Subject& s, ir::ZoneIndex zone) {
   return most_mm;
 }
 
+// Wherever recovery i, which drives beside the border of its zone alone, is let go, that is needed.
+bool leaves_by_border(const Subject& s, std::size_t i, std::size_t j, const Need& need) {
+  const analysis::ExactSolid solid = any_solid(s);
+  const analysis::TakeOver at{s.module, s.decision, s.exact, solid, j, s.known.get()};
+  const auto near_mm = analysis::let_go_within_mm(s.kind, at, i);
+  const ir::ZoneIndex zone = s.decision.monitors[i].recovery.zone;
+  return near_mm && analysis::border_lies_deep(at, zone, *near_mm, {need.zone, need.clearance_mm});
+}
+
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
 // rest every limit of speed holds, and what recovery i leaves between itself and its zone is enough
 // for the zones of j, which hold that one, as is what its own monitor has when it lets go, unless
@@ -171,8 +181,10 @@ bool settles(const Subject& s, bool leads, const LedOn& led_on, std::size_t i, s
   return places_whatever_told(s, m.property, m.property.result, zones) &&
          std::ranges::all_of(zones, [&](ir::ZoneIndex zone) {
            const Need need{zone, returned_mm(s, zone)};
-           return leaves(s, last.zone, last.return_clearance_mm, need) &&
-                  (led_on.as_before || has_early(s, s.decision.monitors[i], need));
+           const bool leads_there =
+               leaves(s, last.zone, last.return_clearance_mm, need) &&
+               (led_on.as_before || has_early(s, s.decision.monitors[i], need));
+           return leads_there || (led_on.kept && leaves_by_border(s, i, j, need));
          });
 }
 

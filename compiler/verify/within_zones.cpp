@@ -142,7 +142,8 @@ std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_
                                const ir::Monitor& driving, const analysis::Standoff& outer) {
   const ir::Recovery& retreat = driving.recovery;
   const auto by = analysis::by_border(s.kind, take_over, driving);
-  if (!by || !analysis::border_lies_deep(take_over, retreat, *by, outer)) return std::nullopt;
+  if (!by || !analysis::border_lies_deep(take_over, retreat.zone, by->near_mm, outer))
+    return std::nullopt;
   const auto text = [](std::int64_t n) { return std::to_string(n); };
   Claim claim = with_ways(s,
                           {"by_border",

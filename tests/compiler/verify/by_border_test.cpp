@@ -21,7 +21,7 @@ site home = (15 m, 3 m);
 controller in_yard : safe for Rover = retreat within yard speed 0.4 m/s;
 controller off_pond : safe for Rover = retreat within dry speed 0.4 m/s;
 monitor fence for r : Rover { "R1: in the yard" always r inside yard; recover in_yard; }
-monitor pond_edge for r : Rover { "R2: off the pond" always distance(r, pond) >= 0.3 m; recover off_pond; return when clearance(r, yard) >= 2 m; }
+monitor pond_edge for r : Rover { "R2: off the pond" always distance(r, pond) >= 0.3 m; recover off_pond; }
 decision d for Rover { advanced drive; period 50 ms; priority fence > pond_edge; }
 )";
   }
@@ -58,6 +58,25 @@ TEST_F(ByBorder, KeepsWhatLiesDeepInItsZone) {
     o = rtac({"sim", "spec.rta", "--runs", "200"});
     EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
   }
+}
+// Wherever the fence lets its retreat go, the pond is far: they take no turns for ever.
+TEST_F(ByBorder, TakesNoTurns) {
+  const auto switches = [](const std::string& text) {
+    const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+    EXPECT_EQ(statuses(o.out, "C", "pond_edge").front(), "proved") << o.out;
+    return statuses(o.out, "switching", "").front();
+  };
+  EXPECT_EQ(switches(yard_with(deep)), "proved");
+  // where the brake ends it may be near the pond
+  EXPECT_EQ(switches(yard_with("rectangle (4 m, 4 m) to (26 m, 26 m)")), "unknown");
+  // inputs have it drive from anywhere
+  const std::string told = edited(
+      edited(yard_with(deep), "monitor fence",
+             "input lost : bool max_age 1 s;\n"
+             "monitor found for r : Rover { \"R3: heard\" always not lost; recover in_yard; }\n"
+             "monitor fence"),
+      "priority fence", "priority found > fence");
+  EXPECT_EQ(switches(told), "unknown");
 }
 // An aisle beside the yard, from which no leg leads straight to where control is given back.
 TEST_F(ByBorder, AlongAWayOverCells) {
