@@ -245,8 +245,8 @@ std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t g
   };
   // so do those of zones that have to grow by more than a hall is wide, in mm
   constexpr std::int64_t far_growth = 10'000;
-  const bool takes_long =
-      goal.shown || is_remark(goal.fault.code) || (dial.of_zone && *good > far_growth);
+  const bool takes_long = dial.coarse || goal.shown || is_remark(goal.fault.code) ||
+                          (dial.of_zone && *good > far_growth);
   const auto enough = [&] {
     return takes_long ? std::max<std::int64_t>(1, *good / near_enough) : 1;
   };

@@ -44,6 +44,7 @@ struct Dial {
   std::function<bool(std::int64_t)> write;  // false: other checks would refuse it
   std::function<void()> restore;
   bool of_zone = false;  // they are evaluated anew
+  bool coarse = false;   // each trial takes long: to a share of the number is near enough
 };
 
 class Trials {

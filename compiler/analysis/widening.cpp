@@ -194,6 +194,7 @@ std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex tabl
                     take_offset_back(value);
                     take_offset_back(value);
                   },
+                  true,
                   true};
   const auto by_mm = trials.nearest(dial, guess_mm, fault);
   if (!by_mm) return std::nullopt;
