@@ -274,8 +274,8 @@ class Pair {
            keeps_its_standoff(step, fence, beyond_mm) && comes_in(step, fence);
   }
   [[nodiscard]] bool keeps_by_border(const ir::Recovery& step, const Standoff& fence) const {
-    const auto by = by_border(kind_, take_over_, driving_);
-    return by && border_lies_deep(take_over_, step.zone, by->near_mm, fence);
+    const auto near_mm = by_border_mm(kind_, take_over_, driving_);
+    return near_mm && border_lies_deep(take_over_, step.zone, *near_mm, fence);
   }
   bool in_plane(const ir::Recovery& step, ir::ZoneIndex fence,
                 std::optional<std::int64_t> beyond_mm) {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/straight_in.h"
 #include "compiler/ir/module.h"
@@ -13,21 +12,20 @@
 
 namespace rtac::analysis {
 
-struct ByBorder {
-  std::int64_t near_mm = 0;  // no body that it drives is farther from the boundary of its zone
-  std::optional<StraightLeg> leg{};  // it takes one from everywhere, and no way over cells
-  std::int64_t led_in_mm = 0;  // who is seen with less clearance than its body takes is led so far
-};
+// How much more than its body takes the robot has of the boundary of its zone wherever the last
+// step of the recovery of `driving` takes over, in mm.
+std::int64_t kept_at_start_mm(const ir::Decision& decision, const ir::Monitor& driving);
 
-// Of a retreat of the plane that is the whole recovery of `driving`, from where it takes over while
-// the property of `at` holds: the robot is in its zone. nullopt: nothing bounds that, as where
-// other robots of the fleet may stand in the way of its ways, or it is no such recovery.
-std::optional<ByBorder> by_border(const sema::RobotKind& kind, const TakeOver& at,
-                                  const ir::Monitor& driving);
+// How far from the boundary of its zone a body is at most, in mm, that is driven by a retreat of
+// the plane, the recovery of `driving` but for brakes before it, from where it takes over while the
+// property of `at` holds: the robot is in its zone. nullopt: nothing bounds that, as where other
+// robots of the fleet may stand in its way, or it is no such recovery.
+std::optional<std::int64_t> by_border_mm(const sema::RobotKind& kind, const TakeOver& at,
+                                         const ir::Monitor& driving);
 
-// How far from there the robot is at most wherever monitor `k` lets such a retreat go: by then it
-// has been led by it, or has braked where the look-ahead of its monitors failed, which ask for
-// nothing but that zone. nullopt: it may be elsewhere, as where inputs have it drive.
+// How far from there a body is at most wherever monitor `k` lets such a retreat go: by then it has
+// been led by it, or has braked where the look-ahead of its monitors failed, which ask for nothing
+// but that zone. nullopt: it may be elsewhere, as where inputs have it drive.
 std::optional<std::int64_t> let_go_within_mm(const sema::RobotKind& kind, const TakeOver& at,
                                              std::size_t k);
 

@@ -22,11 +22,6 @@ std::int64_t whole_mm(double length) {
   return static_cast<std::int64_t>(std::ceil(length)) + 1;
 }
 
-// From corner to corner of a cell.
-std::int64_t across_mm(const ir::Cells& cells) {
-  return (3 * cells.cell_mm + 1) / 2;
-}
-
 }  // namespace
 
 std::vector<std::int64_t> goals_mm(const ir::Decision& decision, const ir::Recovery& recovery) {
@@ -71,10 +66,10 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
 // It tries its goals from the deepest on, and searches for no way: what it takes is straight away
 // from the boundary, or in sight.
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-                            const ir::Decision& decision, const ir::Recovery& recovery) {
+                            const ir::Decision& decision, const ir::Recovery& recovery,
+                            std::int64_t kept_mm) {
   const ir::Body& body = decision.body;
-  const std::int64_t least_mm =
-      body.radius_mm + standoff_mm(decision, recovery) - body.position_error_mm;
+  const std::int64_t least_mm = body.radius_mm + kept_mm - body.position_error_mm;
   if (least_mm >= body.radius_mm) return LedIn{};
   if (least_mm <= 0) return std::nullopt;
   const geometry::CellGrid grid = grid_of(cells);
@@ -86,17 +81,21 @@ std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const i
   for (auto goal = goals.rbegin(); goal != goals.rend(); ++goal) {
     far.emplace_back(edges, grid, least, in_mm(*goal));
   }
-  LedIn in{route_mm, goals.back()};
+  LedIn in{route_mm, goals.back(), std::vector<std::int64_t>(cells.clearance_mm_lo.size(), 0)};
   for (std::size_t at = 0; at < cells.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells.clearance_mm_lo[at];
     if (clearance < 0 || clearance >= body.radius_mm) continue;
     const auto leg = near.longest_from(at);
-    in.first_mm = std::max(in.first_mm, whole_mm(leg ? *leg : near.farthest_from(at)));
+    const std::int64_t first_mm = whole_mm(leg ? *leg : near.farthest_from(at));
+    std::int64_t all_mm = 0;
     for (geometry::StraightLegs& legs : far) {
       const auto all = legs.longest_from(at);
-      in.all_mm = std::max(in.all_mm, whole_mm(all ? *all : legs.farthest_from(at)));
+      all_mm = std::max(all_mm, whole_mm(all ? *all : legs.farthest_from(at)));
       if (all) break;  // what is in sight is taken
     }
+    in.first_mm = std::max(in.first_mm, first_mm);
+    in.all_mm = std::max(in.all_mm, all_mm);
+    in.from_mm[at] = std::max(first_mm, all_mm) + cells.cell_mm;
   }
   in.first_mm += cells.cell_mm;
   in.all_mm += cells.cell_mm;
@@ -129,21 +128,24 @@ std::optional<std::int64_t> InSight::longest_mm(std::size_t at, std::size_t goal
 
 // A retreat looks for the deepest goal first, and a leg to it that is in sight and no longer than
 // twice what it wants is taken without a search. Straight away from the boundary it goes less far.
-std::optional<StraightLeg> InSight::always() {
+std::optional<std::int64_t> InSight::surely_taken_mm(std::size_t at) {
   // twice what is wanted, which is rounded up here, and so is what is found
   constexpr std::int64_t rounded_mm = 6;
+  const auto leg = legs_.back().longest_from(at, double(2 * deepest_mm_ - rounded_mm));
+  return leg ? std::optional(whole_mm(*leg)) : std::nullopt;
+}
+
+std::optional<std::int64_t> InSight::always_mm() {
   if (legs_.empty()) return std::nullopt;
-  StraightLeg all{deepest_mm_, deepest_mm_};
+  std::int64_t longest = deepest_mm_;
   for (std::size_t at = 0; at < cells_.clearance_mm_lo.size(); ++at) {
     const std::int64_t clearance = cells_.clearance_mm_lo[at];
     if (clearance < 0 || clearance >= return_mm_) continue;
-    const auto leg = legs_.back().longest_from(at, double(2 * deepest_mm_ - rounded_mm));
+    const auto leg = surely_taken_mm(at);
     if (!leg) return std::nullopt;
-    all.longest_mm = std::max(all.longest_mm, whole_mm(*leg));
-    const std::int64_t begins_mm = clearance + across_mm(cells_);
-    all.deepest_mm = std::max(all.deepest_mm, begins_mm + whole_mm(*leg));
+    longest = std::max(longest, *leg);
   }
-  return all;
+  return longest;
 }
 
 std::optional<std::int64_t> InSight::longest_deeper_mm(const Marks& lost, const Marks& endless) {

@@ -31,19 +31,15 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
                                        const geometry::Region& zone);
 
 // The longest legs by which a recovery leads in who may be seen with less clearance than its body
-// takes: the first to where ways begin, or else all the way to where control is given back. 0:
-// nobody is; nullopt: it may be seen outside.
+// takes, as it has so much more of it at least: the first to where ways begin, or else all the way
+// to where control is given back. 0: nobody is; nullopt: it may be seen outside.
 struct LedIn {
   std::int64_t first_mm = 0, all_mm = 0;
+  std::vector<std::int64_t> from_mm{};  // by cell: the longer one; empty: nobody is
 };
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-                            const ir::Decision& decision, const ir::Recovery& recovery);
-
-// The longest leg of one that takes no other way; and how far from the boundary of its zone one
-// leads through at most: the clearance where it begins and its length.
-struct StraightLeg {
-  std::int64_t longest_mm = 0, deepest_mm = 0;
-};
+                            const ir::Decision& decision, const ir::Recovery& recovery,
+                            std::int64_t kept_mm);
 
 // By goal and cell.
 using Marks = std::vector<std::vector<bool>>;
@@ -64,7 +60,13 @@ class InSight {
   // The longest leg from anywhere where control is not given back yet, if one is taken from all of
   // it and no way over cells: one to the goal that is tried first, and short enough. nullopt: from
   // some place none is known.
-  std::optional<StraightLeg> always();
+  std::optional<std::int64_t> always_mm();
+  // The same of a cell: it is taken from all of it, whatever the search finds.
+  std::optional<std::int64_t> surely_taken_mm(std::size_t at);
+  // Whether some of the cell may lie in the zone.
+  [[nodiscard]] bool holds_some(std::size_t at) const {
+    return !legs_.empty() && legs_.back().holds_some(at);
+  }
   // The longest leg that may be taken where the search may not lead to a goal beyond the first,
   // from cells of which none is `lost`; nullopt: it may, along a way of which nothing is known.
   std::optional<std::int64_t> longest_deeper_mm(const Marks& lost, const Marks& endless);

@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "compiler/analysis/asked_ways.h"
 #include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
@@ -215,30 +216,6 @@ std::vector<std::vector<bool>> site_cells(const ir::Module& module, const ir::Re
   return all;
 }
 
-// All that ways and legs of a recovery hang on.
-struct Asked {
-  Asked(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-        const ir::Decision& decision, const ir::Recovery& recovery)
-      : drawn(edges, grid_of(cells)), numbers{static_cast<std::int64_t>(recovery.kind),
-                                              recovery.route_clearance_mm,
-                                              recovery.return_clearance_mm,
-                                              standoff_mm(decision, recovery),
-                                              decision.body.radius_mm,
-                                              decision.body.end_reach_mm,
-                                              decision.body.position_error_mm} {}
-  // Of those that are told apart.
-  void add_sites(const ir::SiteTable& site) {
-    for (std::size_t robot = 0; robot < site.places.size(); ++robot) {
-      if (site.table_of(robot) != robot) continue;
-      numbers.insert(numbers.end(), {site.places[robot].x_mm, site.places[robot].y_mm});
-    }
-  }
-  bool operator==(const Asked&) const = default;
-
-  geometry::Drawn drawn;
-  std::vector<std::int64_t> numbers;
-};
-
 // What the search finds over cells, without the legs that lead to them.
 struct OverCells {
   Ways ways;  // of the longest one without cells that are endless
@@ -270,10 +247,11 @@ class WithLegs {
   Ways found(bool bounded) {
     ways_ = over_.ways;
     std::vector<std::int64_t> rest_mm = ways_.rest_mm;
+    ways_.from_mm.assign(rest_mm.size(), 0);
     for (std::size_t goal = 0; goal < over_.endless.size(); ++goal) {
       for (std::size_t at = 0; at < over_.endless[goal].size(); ++at) {
         if (!over_.endless[goal][at]) continue;
-        count(bounded ? in_sight_.longest_mm(at, goal) : std::nullopt);
+        count_from(at, bounded ? in_sight_.longest_mm(at, goal) : std::nullopt);
         if (bounded) rest_mm[at] = geometry::no_way_mm;
       }
     }
@@ -283,7 +261,10 @@ class WithLegs {
       rest_mm[at] = geometry::no_way_mm;
     }
     join(std::move(rest_mm));
-    if (ways_.longest_mm) count(in_sight_.longest_deeper_mm(over_.lost, over_.endless));
+    if (ways_.longest_mm) {
+      ways_.deeper_mm = in_sight_.longest_deeper_mm(over_.lost, over_.endless);
+      count(ways_.deeper_mm);
+    }
     ways_.stranded = parts_of(Grid(cells_, recovery_.route_clearance_mm), cells_, ways_.lost);
     return std::move(ways_);
   }
@@ -295,9 +276,13 @@ class WithLegs {
     }
     ways_.longest_mm = std::max(*ways_.longest_mm, *leg_mm - joins_within_mm(cells_));
   }
+  void count_from(std::size_t at, std::optional<std::int64_t> leg_mm) {
+    count(leg_mm);
+    if (leg_mm) ways_.from_mm[at] = std::max(ways_.from_mm[at], *leg_mm);
+  }
   bool leads_straight(std::size_t at) {
     const auto leg_mm = in_sight_.longest_mm(at);
-    if (leg_mm) count(leg_mm);
+    if (leg_mm) count_from(at, leg_mm);
     return leg_mm.has_value();
   }
   void join(std::vector<std::int64_t> rest_mm) {
@@ -313,6 +298,10 @@ class WithLegs {
     count(found.longest_mm);
     ways_.unseen = std::move(found.unseen);
     for (std::size_t at = 0; at < found.apart.size(); ++at) {
+      // of all cells in reach the one with the shortest way is taken
+      const std::int64_t joined_mm =
+          found.way_mm[at] > 0 ? found.way_mm[at] : ways_.rest_mm[at] + joins_within_mm(cells_);
+      ways_.from_mm[at] = std::max(ways_.from_mm[at], joined_mm);
       // where no way leads on over cells it does not matter what would join them
       if (ways_.lost[at]) {
         ways_.unseen[at] = in_sight_.gave_up(at);
@@ -507,8 +496,8 @@ OverCells over_cells(const ir::Cells& cells, const ir::Module& module, const ir:
 Ways ways_over(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
                const ir::Module& module, const ir::Decision& decision,
                const ir::Recovery& recovery) {
-  thread_local geometry::Kept<Asked, Ways> kept;
-  Asked asked(edges, cells, decision, recovery);
+  thread_local geometry::Kept<AskedWays, Ways> kept;
+  AskedWays asked(edges, cells, decision, recovery);
   if (recovery.kind == ir::RecoveryKind::route) asked.add_sites(module[recovery.site]);
   return kept.find(std::move(asked), [&] {
     const OverCells over = over_cells(cells, module, decision, recovery);
@@ -520,14 +509,14 @@ Ways ways_over(const ir::Cells& cells, const ir::Module& module, const ir::Decis
   return without_legs(over_cells(cells, module, decision, recovery));
 }
 
-std::optional<StraightLeg> straight_leg(const ir::Module& module, const ir::Decision& decision,
+std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last) {
   if (!ir::goes_back(last.kind) || decision.body.in_space) return std::nullopt;
   const ir::ZoneTable& zone = module[last.zone];
   const std::vector<geometry::EdgeRow> edges = edges_of(zone);
-  thread_local geometry::Kept<Asked, std::optional<StraightLeg>> kept;
-  return kept.find(Asked(edges, zone.cells, decision, last),
-                   [&] { return InSight(edges, zone.cells, decision, last).always(); });
+  thread_local geometry::Kept<AskedWays, std::optional<std::int64_t>> kept;
+  return kept.find(AskedWays(edges, zone.cells, decision, last),
+                   [&] { return InSight(edges, zone.cells, decision, last).always_mm(); });
 }
 
 namespace {
@@ -563,7 +552,7 @@ std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decis
     return in_one_piece(legs_to_sites(module[last.site], grid_of(zone), route_mm), {});
   }
   if (!ir::goes_back(last.kind)) return std::nullopt;
-  auto in = led_in(edges_of(zone), zone.cells, decision, last);
+  auto in = led_in(edges_of(zone), zone.cells, decision, last, standoff_mm(decision, last));
   if (!in) return std::nullopt;
   geometry::WayLegsQuery query{mm(decision.body.radius_mm), route_mm, {}};
   for (const std::int64_t goal_mm : goals_mm(decision, last)) query.goals_mm.push_back(mm(goal_mm));
@@ -595,8 +584,8 @@ Ending in_the_plane(const sema::RobotKind& kind, const ir::Module& module,
     return few_legs_seconds(kind, speed, decision.period_us, legs.count + legs.looks - 1,
                             legs.looks + 1, way_mm + legs.led_in_mm);
   };
-  if (const auto leg = straight_leg(module, decision, last)) {
-    return {of_legs({}, leg->longest_mm), metres_of(leg->longest_mm)};
+  if (const auto leg_mm = straight_mm(module, decision, last)) {
+    return {of_legs({}, *leg_mm), metres_of(*leg_mm)};
   }
   const auto cell_mm = static_cast<std::int32_t>(module[last.zone].cells.cell_mm);
   const Ending by_cells{travel_seconds(kind, speed, decision.period_us, cell_mm, joined_mm),

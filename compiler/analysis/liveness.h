@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/analysis/in_sight.h"
 #include "compiler/geometry/bake.h"
 #include "compiler/ir/module.h"
 #include "compiler/sema/spec.h"
@@ -25,9 +24,11 @@ struct Ways {
   // cells begin is left out, up to `joins_within_mm`.
   std::optional<std::int64_t> longest_mm = 0;
   std::vector<std::int64_t> rest_mm;  // by cell, from its middle on
-  std::vector<bool> lost;             // by cell: from some place of it no way is known
-  std::vector<bool> unseen;           // by cell: to look for one would take too long; may be empty
-  std::vector<Stranded> stranded;     // the parts that lost cells make up, the largest first
+  std::vector<std::int64_t> from_mm;  // by cell: from any place of it, what joins it included
+  std::optional<std::int64_t> deeper_mm = 0;  // a leg that may be taken as well, from some cell
+  std::vector<bool> lost;                     // by cell: from some place of it no way is known
+  std::vector<bool> unseen;        // by cell: to look for one would take too long; may be empty
+  std::vector<Stranded> stranded;  // the parts that lost cells make up, the largest first
 };
 // The ways that the search of a recovery finds (rtac/safe/grid_route.h): over cells as clear as
 // `route_mm`, or as the cell it starts from; from every cell as clear as `body_mm`.
@@ -66,7 +67,7 @@ std::optional<std::size_t> robot_without_way(const ir::Module& module, const ir:
 
 // The longest leg of a retreat of the plane that takes one straight leg from everywhere, and no way
 // over cells. none: it may take a way.
-std::optional<StraightLeg> straight_leg(const ir::Module& module, const ir::Decision& decision,
+std::optional<std::int64_t> straight_mm(const ir::Module& module, const ir::Decision& decision,
                                         const ir::Recovery& last);
 
 // The legs of a recovery of the plane, if they are counted.

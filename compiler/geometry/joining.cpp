@@ -52,17 +52,20 @@ class Joining {
     Joins found;
     found.apart.resize(cells_.clearance_mm_lo.size(), false);
     found.unseen.resize(cells_.clearance_mm_lo.size(), false);
-    double longest = 0;
+    found.way_mm.resize(cells_.clearance_mm_lo.size(), 0);
     for (std::int32_t row = 0; row < cells_.rows; ++row) {
       for (std::int32_t column = 0; column < cells_.columns; ++column) {
         if (clearance_at(column, row) >= enough_mm()) continue;  // it is one itself, or needs none
         const double way = longest_from(column, row);
         found.apart[index(column, row)] = way < 0;
         found.unseen[index(column, row)] = way < 0 && looks_ > looks_end_;
-        longest = std::max(longest, way);
+        if (way <= 0) continue;
+        found.way_mm[index(column, row)] = static_cast<std::int64_t>(std::ceil(way)) + spare_mm;
       }
     }
-    found.longest_mm = static_cast<std::int64_t>(std::ceil(longest)) + spare_mm;
+    const auto longest = std::ranges::max_element(found.way_mm);
+    found.longest_mm =
+        std::max<std::int64_t>(spare_mm, longest == found.way_mm.end() ? 0 : *longest);
     return found;
   }
 

@@ -28,8 +28,9 @@ struct JoinQuery {
 struct Joins {
   // By cell: from some place of it, as far as is known, no way begins.
   std::vector<bool> apart;
-  std::vector<bool> unseen;     // by cell: that is because to find one would take too long
-  std::int64_t longest_mm = 0;  // of the ways that begin with a leg, the leg included
+  std::vector<bool> unseen;          // by cell: that is because to find one would take too long
+  std::int64_t longest_mm = 0;       // of the ways that begin with a leg, the leg included
+  std::vector<std::int64_t> way_mm;  // by cell: the longest of them; 0: none begins so
 };
 
 // From all places of all cells where a body can be. Of cells only `clearance_mm_lo` counts.

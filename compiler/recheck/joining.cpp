@@ -27,6 +27,7 @@ class Joins {
 
   Joining run() {
     Joining found;
+    found.from.resize(grid_.clearance.size(), -1);
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         if (clearance(column, row) >= enough() + grid_.less) continue;
@@ -38,6 +39,7 @@ class Joins {
           return found;
         }
         found.longest = std::max(found.longest, *way);
+        found.from[index(column, row)] = *way;
       }
     }
     return found;

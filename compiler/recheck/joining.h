@@ -27,6 +27,7 @@ struct JoiningLimits {
 struct Joining {
   std::optional<std::size_t> apart;  // a cell with a place from which none is known to begin
   double longest = 0;                // of the ways with such a leg, the leg included
+  std::vector<double> from{};        // by cell: the longest of them; negative: it needs none
 };
 // Of every place where a body can be, whether a leg leads from there to a cell that is clear
 // enough, and loses no more of the clearance than a way may.

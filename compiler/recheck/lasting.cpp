@@ -94,9 +94,11 @@ std::optional<Legs> legs_of(const geometry::Region& zone, const Said& said, cons
                             const sema::RobotKind& kind, const sema::Template& last,
                             const std::vector<geometry::Point>& sites, const Values& v) {
   const auto count = number(v, "legs"), led_in_mm = number(v, "led_in_mm");
+  const auto way_mm = number(v, "way_mm");
   const bool goes_back =
       std::holds_alternative<sema::Retreat>(last) || std::holds_alternative<sema::Loiter>(last);
-  if (goes_back != sites.empty() || !count || !led_in_mm || *led_in_mm < 0) return std::nullopt;
+  if (goes_back != sites.empty() || !count || !way_mm || !led_in_mm || *led_in_mm < 0)
+    return std::nullopt;
   const std::vector<Rational> aims = aims_of(said, last);
   const Rational& body = kind.radius.value;
   const auto most = goes_back ? legs_of_ways(zone, said.cells, body, said.route, aims)
@@ -108,7 +110,7 @@ std::optional<Legs> legs_of(const geometry::Region& zone, const Said& said, cons
   const auto in = led_in(zone, said, kind, last, keeps);
   if (!in) return std::nullopt;
   if (in->all == 0) return legs;
-  const Rational in_all = joined_way(said.way, milli(said.cells.cell_mm)) + legs.led_in;
+  const Rational in_all = joined_way(milli(*way_mm), milli(said.cells.cell_mm)) + legs.led_in;
   if (in->first > legs.led_in || in->all > in_all) return std::nullopt;
   legs.looks = 2;
   return legs;
@@ -245,7 +247,8 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
                           micro(*extra_us));
   }
   const auto said = said_of(claims, v);
-  if (!said) return wrong("a number is missing");
+  const auto way_mm = number(v, "way_mm");
+  if (!said || !way_mm) return wrong("a number is missing");
   const auto moves = steps.empty() ? std::nullopt : sema::moves_of(steps.back());
   if (!moves || moves->zone != said->zone || std::holds_alternative<sema::Yield>(steps.back())) {
     return wrong("the recovery stands, waits for others, or moves elsewhere");
@@ -269,7 +272,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (auto doubt = ends(spec, decision, claims, monitor, said->back, after)) return doubt;
   const std::vector<geometry::Point> sites = sites_of(spec, steps.back());
   const auto way = longest(*zone, *said, sites, steps.back());
-  if (!way || *way > said->way) return wrong("its way may be longer");
+  if (!way || *way > milli(*way_mm)) return wrong("its way may be longer");
   const sema::Controller& recovery = spec[*monitor.recover];
   const Rational cell = milli(said->cells.cell_mm);
   const auto ends_in = [&](const std::optional<Rational>& seconds,
@@ -286,12 +289,12 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
                    driven_metres(kind, decision, recovery, std::nullopt, milli(*leg), after));
   }
   if (!v.contains("legs")) {
-    return ends_in(return_seconds(kind, decision, recovery, cell, said->way),
-                   driven_metres(kind, decision, recovery, cell, said->way, after));
+    return ends_in(return_seconds(kind, decision, recovery, cell, milli(*way_mm)),
+                   driven_metres(kind, decision, recovery, cell, milli(*way_mm), after));
   }
   const auto legs = legs_of(*zone, *said, most_gap(spec, decision), kind, steps.back(), sites, v);
   if (!legs) return wrong("its way may have more legs, or it may be led in first");
-  const Rational in_all = said->way + legs->led_in;
+  const Rational in_all = milli(*way_mm) + legs->led_in;
   return ends_in(legs_seconds(kind, decision, recovery, cell, in_all, legs->count + legs->looks - 1,
                               legs->looks),
                  driven_metres(kind, decision, recovery, cell, in_all, after));

@@ -283,7 +283,8 @@ class Turns {
   // Recovery i is proved to drive beside the border of its zone alone while monitor j holds; where
   // the look-ahead of those that it drives for fails it brakes, no farther than that covers.
   bool lets_go_by_border(std::size_t i, std::size_t j, sema::ZoneId zone) {
-    const auto* const retreat = std::get_if<sema::Retreat>(&recovery(i).implementation);
+    const auto steps = sema::templates_of(recovery(i));
+    const auto* const retreat = steps.empty() ? nullptr : std::get_if<sema::Retreat>(&steps.back());
     const Entry* const kept = find(part_, "C", monitor(j).name, recovery(i).name);
     const Claim* const by = retreat == nullptr || kept == nullptr || !keeps(i, j)
                                 ? nullptr

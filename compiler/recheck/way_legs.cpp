@@ -319,19 +319,23 @@ std::optional<LedIn> leads_in_within(const geometry::Region& zone, const Cells& 
   if (!found || found->cells.less > 0) return std::nullopt;
   const Grid& grid = found->cells;
   Straight straight(found->edges, grid, seen.get_d(), found->convex);
-  double first = 0, all = 0;
+  LedIn in{0, 0, std::vector<double>(grid.clearance.size(), 0)};
   for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
     if (grid.clearance[at] >= body.get_d() - slack_m) continue;
     if (grid.clearance[at] < 0 && !straight.holds_some(at)) continue;
     const auto leg = straight.longest_from(at, route.get_d());
-    first = std::max(first, leg ? *leg : straight.farthest_from(at, route.get_d()));
+    const double first = leg ? *leg : straight.farthest_from(at, route.get_d());
+    double all = 0;
     for (auto aim = aims.rbegin(); aim != aims.rend(); ++aim) {  // the deepest first
       const auto seen_to = straight.longest_from(at, aim->get_d());
       all = std::max(all, seen_to ? *seen_to : straight.farthest_from(at, aim->get_d()));
       if (seen_to) break;  // what is in sight is taken
     }
+    in.first = std::max(in.first, Rational(first));
+    in.all = std::max(in.all, Rational(all));
+    in.from[at] = std::max(first, all);
   }
-  return LedIn{Rational(first), Rational(all)};
+  return in;
 }
 
 }  // namespace rtac::recheck

@@ -24,6 +24,7 @@ std::optional<std::size_t> legs_to_sites(const geometry::Region& zone, const Cel
 // the way to one as clear as the last of `aims` that is in sight.
 struct LedIn {
   Rational first, all;
+  std::vector<double> from;  // by cell: the longer one
 };
 std::optional<LedIn> leads_in_within(const geometry::Region& zone, const Cells& cells,
                                      const Rational& seen, const Rational& body,

@@ -18,11 +18,10 @@ std::optional<Said> said_of(Claims& claims, const Values& v) {
   const auto zone = claims.zones().find(text(v, "zone"));
   const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
   if (!zone || !cell || *cell <= 0 || !x || !y) return std::nullopt;
-  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}, {}};
+  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}};
   for (const auto& [key, to] :
        {std::pair("starts_mm", &said.starts), std::pair("route_mm", &said.route),
-        std::pair("return_mm", &said.back), std::pair("aim_mm", &said.aim),
-        std::pair("way_mm", &said.way)}) {
+        std::pair("return_mm", &said.back), std::pair("aim_mm", &said.aim)}) {
     const auto mm = number(v, key);
     if (!mm || *mm < 0) return std::nullopt;
     *to = milli(*mm);
@@ -58,15 +57,13 @@ std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
 }
 
 bool takes_legs(const geometry::Region& zone, const Said& said, const sema::RobotKind& kind,
-                const sema::Template& last, const Rational& leg,
-                const std::optional<Rational>& deepest) {
+                const sema::Template& last, const Rational& leg) {
   const bool loiters = std::holds_alternative<sema::Loiter>(last);
   if (!loiters && !std::holds_alternative<sema::Retreat>(last)) return false;
   const Rational aim = loiters ? Rational(said.aim + to_circle) : said.aim;
   const Rational rounded(1, 250);
-  if (deepest && aim > *deepest) return false;
   return aim <= leg && leg <= 2 * aim - rounded &&
-         legs_lead(zone, said.cells, kind.radius.value, said.back, aim, leg, deepest);
+         legs_lead(zone, said.cells, kind.radius.value, said.back, aim, leg);
 }
 
 std::vector<Rational> aims_of(const Said& said, const sema::Template& last) {
@@ -86,7 +83,8 @@ std::optional<Led> led_in(const geometry::Region& zone, const Said& said,
   const auto in =
       leads_in_within(zone, said.cells, body + kept - error, body, said.route, aims_of(said, last));
   if (!in) return std::nullopt;
-  return Led{std::max(in->first, said.route), std::max(in->all, aims_of(said, last).back())};
+  return Led{std::max(in->first, said.route), std::max(in->all, aims_of(said, last).back()),
+             in->from};
 }
 
 }  // namespace rtac::recheck

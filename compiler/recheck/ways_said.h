@@ -11,7 +11,7 @@ namespace rtac::recheck {
 struct Said {
   sema::ZoneId zone;
   Cells cells;
-  Rational starts, route, back, aim, way;
+  Rational starts, route, back, aim;
 };
 std::optional<Said> said_of(Claims& claims, const Values& v);
 
@@ -22,11 +22,9 @@ std::optional<Rational> longest(const geometry::Region& zone, const Said& said,
                                 const std::vector<geometry::Point>& sites,
                                 const sema::Template& last);
 // From everywhere it takes a leg that is no longer, and searches for no way: one in sight to where
-// it aims at first, no longer than twice that clearance (which it takes to the millimetre); and it
-// is led no farther from the boundary than the deepest place.
+// it aims at first, no longer than twice that clearance (which it takes to the millimetre).
 bool takes_legs(const geometry::Region& zone, const Said& said, const sema::RobotKind& kind,
-                const sema::Template& last, const Rational& leg,
-                const std::optional<Rational>& deepest = {});
+                const sema::Template& last, const Rational& leg);
 // What one aims at, from where control is given back on.
 std::vector<Rational> aims_of(const Said& said, const sema::Template& last);
 
@@ -35,6 +33,7 @@ std::vector<Rational> aims_of(const Said& said, const sema::Template& last);
 // may; nullopt: it may be seen off the zone, from where nothing bounds a leg.
 struct Led {
   Rational first, all;
+  std::vector<double> from{};  // by cell: the longer one; empty: nobody may
 };
 std::optional<Led> led_in(const geometry::Region& zone, const Said& said,
                           const sema::RobotKind& kind, const sema::Template& last,

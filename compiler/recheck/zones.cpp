@@ -308,10 +308,10 @@ std::variant<std::monostate, geometry::Point, BadCells> without_leg(
   return std::monostate{};
 }
 
-std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
-                                    const Rational& body_m, const Rational& route_m,
-                                    const Rational& goal_m,
-                                    const std::vector<geometry::Point>& sites, bool deeper) {
+std::optional<LongestWays> longest_ways(const geometry::Region& zone, const Cells& cells,
+                                        const Rational& body_m, const Rational& route_m,
+                                        const Rational& goal_m,
+                                        const std::vector<geometry::Point>& sites, bool deeper) {
   const std::optional<OnGrid> found = on_grid(zone, cells);
   if (!found) return std::nullopt;
   const Grid& grid = found->cells;
@@ -341,22 +341,40 @@ std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& c
     without.push_back(at);
   }
   double longest = 0;
+  std::vector<double> from = rest;
+  for (double& each : from) each += limits.reach;  // of all cells in reach it takes the best one
   for (const std::size_t at : without) {
     const auto leg = limits.straight(at);
     if (!leg) return std::nullopt;
     longest = std::max(longest, *leg - limits.reach);
     rest[at] = -1;
+    from[at] = *leg;
   }
   limits.rest = std::move(rest);
   const Joining begins = joining(found->edges, grid, limits);
   if (begins.apart) return std::nullopt;
   const Rational over_cells = Rational(static_cast<long>(cells.cell_mm * most_steps)) / 1000;
-  return std::max(over_cells, Rational(std::max(longest, begins.longest - limits.reach)));
+  for (const std::size_t at : without) from[at] = std::max(from[at], begins.from[at]);
+  for (std::size_t at = 0; at < from.size(); ++at) {
+    const bool leads_on = steps[at] >= 0 && is_clear(grid.clearance[at], body);
+    if (begins.from[at] < 0) continue;
+    from[at] = leads_on ? begins.from[at] : std::max(begins.from[at], from[at]);
+  }
+  return LongestWays{
+      std::max(over_cells, Rational(std::max(longest, begins.longest - limits.reach))),
+      std::move(from)};
+}
+
+std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
+                                    const Rational& body_m, const Rational& route_m,
+                                    const Rational& goal_m,
+                                    const std::vector<geometry::Point>& sites, bool deeper) {
+  const auto ways = longest_ways(zone, cells, body_m, route_m, goal_m, sites, deeper);
+  return ways ? std::optional(ways->longest) : std::nullopt;
 }
 
 bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
-               const Rational& back_m, const Rational& aim_m, const Rational& most_m,
-               const std::optional<Rational>& deepest_m) {
+               const Rational& back_m, const Rational& aim_m, const Rational& most_m) {
   const std::vector<Segment> edges = segments_of(zone);
   const std::optional<Grid> grid = grid_of(edges, cells);
   if (!grid) return false;
@@ -364,12 +382,7 @@ bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational&
   for (std::size_t at = 0; at < grid->clearance.size(); ++at) {
     if (grid->clearance[at] >= back_m.get_d() + table_m) continue;
     if (grid->clearance[at] < 0 && !straight.holds_some(at)) continue;
-    double most = most_m.get_d();
-    if (deepest_m) {
-      const double begins = std::max(grid->clearance[at], 0.0) + grid->cell * std::sqrt(2.0);
-      most = std::min(most, deepest_m->get_d() - begins);
-    }
-    if (!straight.longest_from(at, aim_m.get_d(), most)) return false;
+    if (!straight.longest_from(at, aim_m.get_d(), most_m.get_d())) return false;
   }
   return true;
 }

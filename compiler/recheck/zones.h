@@ -83,17 +83,24 @@ std::variant<std::monostate, geometry::Point, BadCells> without_leg(
 // begin is left out, up to the reach within which the search takes the best one. A goal that is
 // `deeper` than where control is given back need not be reached. nullopt: of some of them nothing
 // bounds the way.
+struct LongestWays {
+  Rational longest;
+  std::vector<double> from;  // by cell: from any place of it, what joins it included
+};
+std::optional<LongestWays> longest_ways(const geometry::Region& zone, const Cells& cells,
+                                        const Rational& body_m, const Rational& route_m,
+                                        const Rational& goal_m,
+                                        const std::vector<geometry::Point>& sites,
+                                        bool deeper = false);
 std::optional<Rational> longest_way(const geometry::Region& zone, const Cells& cells,
                                     const Rational& body_m, const Rational& route_m,
                                     const Rational& goal_m,
                                     const std::vector<geometry::Point>& sites, bool deeper = false);
 
 // Whether from anywhere in the zone with less than `back_m` a leg no longer than `most_m` leads to
-// a place as clear as `aim_m`, and keeps the clearance that it begins with; and is, with that, no
-// longer than `deepest_m`, where that is asked.
+// a place as clear as `aim_m`, and keeps the clearance that it begins with.
 bool legs_lead(const geometry::Region& zone, const Cells& cells, const Rational& body_m,
-               const Rational& back_m, const Rational& aim_m, const Rational& most_m,
-               const std::optional<Rational>& deepest_m = {});
+               const Rational& back_m, const Rational& aim_m, const Rational& most_m);
 
 // Of zones, which lie within 100 km of the origin; what reaches farther is a complement.
 bool has_end(const geometry::Region& region);

@@ -19,20 +19,15 @@ std::string text(std::int64_t n) {
 Claim with_ways(const Subject& s, Claim claim, const ir::Recovery& last) {
   const ir::Body& body = s.decision.body;
   const ir::ZoneTable& zone = s.module[last.zone];
-  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
   const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
   const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
   claim = with_cells(std::move(claim), zone);
   claim.values.merge(
       std::map<std::string, std::string>{{"zone", zone.name},
-                                         {"way_mm", text(ways.longest_mm.value_or(0))},
                                          {"starts_mm", text(body.radius_mm + keeps_mm)},
                                          {"route_mm", text(last.route_clearance_mm)},
                                          {"return_mm", text(last.return_clearance_mm)},
                                          {"aim_mm", text(aim_mm)}});
-  if (const auto leg = analysis::straight_leg(s.module, s.decision, last)) {
-    claim.values["leg_mm"] = text(leg->longest_mm);
-  }
   return claim;
 }
 
@@ -53,6 +48,11 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k) {
                      {"extra_us", text(s.decision.return_extra_us)}}};
   if (!ir::moves(last.kind)) return lasts;
   Claim claim = with_ways(s, lasts, last);
+  const analysis::Ways ways = analysis::ways_of(s.module, s.decision, last);
+  claim.values["way_mm"] = text(ways.longest_mm.value_or(0));
+  if (const auto leg_mm = analysis::straight_mm(s.module, s.decision, last)) {
+    claim.values["leg_mm"] = text(*leg_mm);
+  }
   if (end->legs) {
     claim.values["legs"] = text(end->legs->count);
     claim.values["led_in_mm"] = text(end->legs->led_in_mm);

@@ -153,7 +153,7 @@ bool leaves_by_border(const Subject& s, std::size_t i, std::size_t j, const Need
   const analysis::ExactSolid solid = any_solid(s);
   const analysis::TakeOver at{s.module, s.decision, s.exact, solid, j, s.known.get()};
   const auto near_mm = analysis::let_go_within_mm(s.kind, at, i);
-  const ir::ZoneIndex zone = s.decision.monitors[i].recovery.zone;
+  const ir::ZoneIndex zone = ir::last_step(s.decision.monitors[i].recovery).zone;
   return near_mm && analysis::border_lies_deep(at, zone, *near_mm, {need.zone, need.clearance_mm});
 }
 

@@ -140,9 +140,9 @@ Doubt doubt_of_zone(const Subject& s, const analysis::TakeOver& take_over,
 // That it lies by the border of its zone; nullopt: that is not shown.
 std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_over,
                                const ir::Monitor& driving, const analysis::Standoff& outer) {
-  const ir::Recovery& retreat = driving.recovery;
-  const auto by = analysis::by_border(s.kind, take_over, driving);
-  if (!by || !analysis::border_lies_deep(take_over, retreat.zone, by->near_mm, outer))
+  const ir::Recovery& retreat = ir::last_step(driving.recovery);
+  const auto near_mm = analysis::by_border_mm(s.kind, take_over, driving);
+  if (!near_mm || !analysis::border_lies_deep(take_over, retreat.zone, *near_mm, outer))
     return std::nullopt;
   const auto text = [](std::int64_t n) { return std::to_string(n); };
   Claim claim = with_ways(s,
@@ -151,11 +151,11 @@ std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_
                             {"monitor", driving.name},
                             {"judged", s.decision.monitors[take_over.judged].name},
                             {"outer", s.module[outer.zone].name},
-                            {"near_mm", text(by->near_mm)},
-                            {"led_in_mm", text(by->led_in_mm)},
+                            {"near_mm", text(*near_mm)},
                             {"extra_us", text(s.decision.return_extra_us)}}},
                           retreat);
-  if (by->leg) claim.values["deepest_mm"] = text(by->leg->deepest_mm);
+  const std::int64_t kept_mm = analysis::kept_at_start_mm(s.decision, driving);
+  claim.values["starts_mm"] = text(s.decision.body.radius_mm + kept_mm);
   if (outer.mm > analysis::touching_mm) claim.values["standoff_mm"] = text(outer.mm);
   return claim;
 }
