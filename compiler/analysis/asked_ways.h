@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "compiler/analysis/limits.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/kept.h"
 #include "compiler/ir/module.h"
@@ -18,7 +18,7 @@ struct AskedWays {
       : drawn(edges, grid_of(cells)), numbers{static_cast<std::int64_t>(recovery.kind),
                                               recovery.route_clearance_mm,
                                               recovery.return_clearance_mm,
-                                              standoff_mm(decision, recovery),
+                                              starts_off_mm(decision, recovery),
                                               decision.body.radius_mm,
                                               decision.body.end_reach_mm,
                                               decision.body.position_error_mm} {}

@@ -63,21 +63,21 @@ class Depths {
 std::optional<std::int64_t> found_within_mm(const std::vector<geometry::EdgeRow>& edges,
                                             const ir::ZoneTable& zone, const ir::Module& module,
                                             const ir::Decision& decision,
-                                            const ir::Recovery& retreat, std::int64_t kept_mm) {
-  // ways over cells are known from where it fits with all that its monitors keep
-  const bool has_all = standoff_mm(decision, retreat) <= std::max(kept_mm, touching_mm);
+                                            const ir::Recovery& retreat) {
   const Ways ways = ways_of(module, decision, retreat);
-  const auto in = led_in(edges, zone.cells, decision, retreat, kept_mm);
+  const auto in = led_in(edges, zone.cells, decision, retreat);
   if (!ways.longest_mm || !ways.deeper_mm || !ways.stranded.empty() || !in) return std::nullopt;
   InSight legs(edges, zone.cells, decision, retreat);
   const Depths depths(zone.cells);
   const std::int64_t deepest_mm = goals_mm(decision, retreat).back();
+  // where the tables bound distances from below alone, it is not measured to be as clear as it is
+  const auto exact_mm = zone.tree.exact_inside_mm;
+  if (exact_mm && *exact_mm < std::max(deepest_mm, retreat.route_clearance_mm)) return std::nullopt;
   std::int64_t most_mm = deepest_mm;
   for (std::size_t at = 0; at < zone.cells.clearance_mm_lo.size(); ++at) {
     if (zone.cells.clearance_mm_lo[at] >= retreat.return_clearance_mm || !legs.holds_some(at))
       continue;
     const auto leg_mm = legs.surely_taken_mm(at);
-    if (!leg_mm && !has_all) return std::nullopt;
     std::int64_t way_mm =
         leg_mm.value_or(std::max({2 * deepest_mm, ways.from_mm[at], *ways.deeper_mm}));
     if (!in->from_mm.empty()) way_mm = std::max(way_mm, in->from_mm[at]);
@@ -86,18 +86,15 @@ std::optional<std::int64_t> found_within_mm(const std::vector<geometry::EdgeRow>
   return most_mm;
 }
 std::optional<std::int64_t> led_within_mm(const ir::Module& module, const ir::Decision& decision,
-                                          const ir::Recovery& retreat, std::int64_t kept_mm) {
+                                          const ir::Recovery& retreat) {
   const ir::ZoneTable& zone = module[retreat.zone];
   const std::vector<geometry::EdgeRow> edges = edges_of(zone);
   thread_local geometry::Kept<AskedWays, std::optional<std::int64_t>> kept;
-  AskedWays asked(edges, zone.cells, decision, retreat);
-  asked.numbers.push_back(kept_mm);
-  return kept.find(std::move(asked), [&] {
-    return found_within_mm(edges, zone, module, decision, retreat, kept_mm);
-  });
+  return kept.find(AskedWays(edges, zone.cells, decision, retreat),
+                   [&] { return found_within_mm(edges, zone, module, decision, retreat); });
 }
 
-// It fails nowhere but near the boundary of the zone, or because its robot is fast there.
+// What it asks for are clearances of the zone alone: it fails nowhere but near the boundary.
 bool asks_for_zone_alone(const ir::Decision& d, const ir::Block& block, ir::ValueId id,
                          ir::ZoneIndex zone) {
   const ir::Op& op = block[id].op;
@@ -114,12 +111,6 @@ bool asks_for_zone_alone(const ir::Decision& d, const ir::Block& block, ir::Valu
 
 }  // namespace
 
-std::int64_t kept_at_start_mm(const ir::Decision& decision, const ir::Monitor& driving) {
-  const ir::ZoneIndex zone = ir::last_step(driving.recovery).zone;
-  return relied_on(decision, driving) ? surely_off_mm(driving.property, decision.facts.params, zone)
-                                      : 0;
-}
-
 std::optional<std::int64_t> by_border_mm(const sema::RobotKind& kind, const TakeOver& at,
                                          const ir::Monitor& driving) {
   const ir::Decision& decision = at.decision;
@@ -133,8 +124,7 @@ std::optional<std::int64_t> by_border_mm(const sema::RobotKind& kind, const Take
       decision.open_fleet || !starts_within(at, retreat.zone)) {
     return std::nullopt;
   }
-  const auto led_mm =
-      led_within_mm(at.module, decision, retreat, kept_at_start_mm(decision, driving));
+  const auto led_mm = led_within_mm(at.module, decision, retreat);
   if (!led_mm) return std::nullopt;
   const ir::Body& body = decision.body;
   const Rational speed(static_cast<long>(retreat.speed_mmps), 1000);

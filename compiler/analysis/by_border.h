@@ -12,10 +12,6 @@
 
 namespace rtac::analysis {
 
-// How much more than its body takes the robot has of the boundary of its zone wherever the last
-// step of the recovery of `driving` takes over, in mm.
-std::int64_t kept_at_start_mm(const ir::Decision& decision, const ir::Monitor& driving);
-
 // How far from the boundary of its zone a body is at most, in mm, that is driven by a retreat of
 // the plane, the recovery of `driving` but for brakes before it, from where it takes over while the
 // property of `at` holds: the robot is in its zone. nullopt: nothing bounds that, as where other

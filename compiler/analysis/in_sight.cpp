@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/recovery_places.h"
@@ -66,10 +67,10 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
 // It tries its goals from the deepest on, and searches for no way: what it takes is straight away
 // from the boundary, or in sight.
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-                            const ir::Decision& decision, const ir::Recovery& recovery,
-                            std::int64_t kept_mm) {
+                            const ir::Decision& decision, const ir::Recovery& recovery) {
   const ir::Body& body = decision.body;
-  const std::int64_t least_mm = body.radius_mm + kept_mm - body.position_error_mm;
+  const std::int64_t least_mm =
+      body.radius_mm + starts_off_mm(decision, recovery) - body.position_error_mm;
   if (least_mm >= body.radius_mm) return LedIn{};
   if (least_mm <= 0) return std::nullopt;
   const geometry::CellGrid grid = grid_of(cells);
@@ -107,7 +108,7 @@ InSight::InSight(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& c
     : cells_(cells),
       grid_(grid_of(cells)),
       route_mm_(recovery.route_clearance_mm),
-      body_mm_(decision.body.radius_mm + standoff_mm(decision, recovery)),
+      body_mm_(decision.body.radius_mm + starts_off_mm(decision, recovery)),
       return_mm_(recovery.return_clearance_mm) {
   if (!ir::goes_back(recovery.kind)) return;
   for (const std::int64_t goal_mm : goals_mm(decision, recovery)) {

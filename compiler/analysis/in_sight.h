@@ -31,15 +31,14 @@ std::optional<std::size_t> led_nowhere(const std::vector<geometry::EdgeRow>& edg
                                        const geometry::Region& zone);
 
 // The longest legs by which a recovery leads in who may be seen with less clearance than its body
-// takes, as it has so much more of it at least: the first to where ways begin, or else all the way
-// to where control is given back. 0: nobody is; nullopt: it may be seen outside.
+// takes: the first to where ways begin, or else all the way to where control is given back. 0:
+// nobody is; nullopt: it may be seen outside.
 struct LedIn {
   std::int64_t first_mm = 0, all_mm = 0;
   std::vector<std::int64_t> from_mm{};  // by cell: the longer one; empty: nobody is
 };
 std::optional<LedIn> led_in(const std::vector<geometry::EdgeRow>& edges, const ir::Cells& cells,
-                            const ir::Decision& decision, const ir::Recovery& recovery,
-                            std::int64_t kept_mm);
+                            const ir::Decision& decision, const ir::Recovery& recovery);
 
 // By goal and cell.
 using Marks = std::vector<std::vector<bool>>;

@@ -1,8 +1,10 @@
 #include "compiler/analysis/keeps_off.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/geometry/apart.h"
 #include "compiler/support/words.h"
@@ -27,6 +29,17 @@ std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Para
     if (either.size() == 1 && either[0].zone == zone) most = std::max(most, either[0].mm);
   }
   return most;
+}
+
+std::int64_t starts_off_mm(const ir::Decision& decision, const ir::Recovery& step) {
+  std::int64_t relied_mm = 0;
+  std::optional<std::int64_t> driving_mm;
+  for (const ir::Monitor& m : decision.monitors) {
+    const std::int64_t mm = surely_off_mm(m.property, decision.facts.params, step.zone);
+    if (relied_on(decision, m)) relied_mm = std::max(relied_mm, mm);
+    if (m.recovery.name == step.name) driving_mm = std::min(driving_mm.value_or(mm), mm);
+  }
+  return std::min(standoff_mm(decision, step), std::max(relied_mm, driving_mm.value_or(0)));
 }
 
 bool region_lies_deep(const geometry::Region& inner, const geometry::Region& outer,

@@ -18,6 +18,11 @@ namespace rtac::analysis {
 std::int64_t surely_off_mm(const ir::Block& property, const std::vector<ir::Param>& params,
                            ir::ZoneIndex zone);
 
+// How much more than its body takes a robot has of the boundary of the zone of a step wherever a
+// recovery takes over, in mm: as all monitors that it drives for ask for, or one that is relied on
+// (fences.h).
+std::int64_t starts_off_mm(const ir::Decision& decision, const ir::Recovery& step);
+
 // Each place of the one lies in the other, so far from its boundary where that is more than
 // touching. false also where that is not known, as below.
 bool region_lies_deep(const geometry::Region& inner, const geometry::Region& outer,

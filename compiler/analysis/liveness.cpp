@@ -9,6 +9,7 @@
 
 #include "compiler/analysis/asked_ways.h"
 #include "compiler/analysis/in_sight.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/analysis/speed_limits.h"
@@ -463,7 +464,7 @@ void take_worse(OverCells& all, const OverCells& other) {
 
 OverCells over_cells(const ir::Cells& cells, const ir::Module& module, const ir::Decision& decision,
                      const ir::Recovery& recovery) {
-  const std::int64_t body_mm = decision.body.radius_mm + standoff_mm(decision, recovery);
+  const std::int64_t body_mm = decision.body.radius_mm + starts_off_mm(decision, recovery);
   const std::int64_t route_mm = recovery.route_clearance_mm;
   if (recovery.kind == ir::RecoveryKind::route) {
     std::optional<OverCells> all;
@@ -552,7 +553,7 @@ std::optional<Legs> way_legs(const ir::Module& module, const ir::Decision& decis
     return in_one_piece(legs_to_sites(module[last.site], grid_of(zone), route_mm), {});
   }
   if (!ir::goes_back(last.kind)) return std::nullopt;
-  auto in = led_in(edges_of(zone), zone.cells, decision, last, standoff_mm(decision, last));
+  auto in = led_in(edges_of(zone), zone.cells, decision, last);
   if (!in) return std::nullopt;
   geometry::WayLegsQuery query{mm(decision.body.radius_mm), route_mm, {}};
   for (const std::int64_t goal_mm : goals_mm(decision, last)) query.goals_mm.push_back(mm(goal_mm));

@@ -23,8 +23,7 @@ namespace {
 std::optional<Doubt> sets_out(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                               const sema::Monitor& driving, const Said& said,
                               const Rational& extra) {
-  if (said.back < claims.return_clearance(d, said.zone, extra) ||
-      said.back < claims.return_clearance(d, driving, extra)) {
+  if (said.back < claims.led_to(d, driving, said.zone, extra)) {
     return wrong("it leads deeper before control is given back");
   }
   for (const sema::MonitorId id : d.priority) {
@@ -141,9 +140,7 @@ std::optional<Doubt> check_by_border(const sema::Spec& spec, const sema::Decisio
   if (auto doubt = sets_out(spec, decision, claims, *driving, *said, micro(*extra_us)))
     return doubt;
   if (said->route < claims.leg_clearance(decision, *driving, said->zone)) return wrong(too_near);
-  const Rational keeps = relied_on(spec, decision, *driving)
-                             ? sure_gap_of(spec, *driving->always, said->zone)
-                             : Rational(0);
+  const Rational keeps = starts_off(spec, decision, *driving, said->zone);
   const Rational step(1, 1000), error = kind.position ? kind.position->error.value : Rational(0);
   if (said->starts > kind.radius.value + keeps + 2 * step) {
     return wrong("it leaves out places that a body fits");
@@ -151,12 +148,16 @@ std::optional<Doubt> check_by_border(const sema::Spec& spec, const sema::Decisio
   if (said->aim < said->back + std::max(Rational(1, 50), error) + error) {
     return wrong("it aims deeper");
   }
+  if (said->exact && *said->exact < std::max(said->aim, said->route)) {
+    return wrong("farther from the boundary than the tables are exact it may be led anywhere");
+  }
   const auto deepest = deepest_of(*zone, *said, kind, steps.back(), keeps);
   const auto run_out = driven_metres(kind, decision, recovery, std::nullopt, 0, 0);
   if (!deepest || !run_out) return wrong("its way may be longer");
   const Numbers n = numbers_of(spec, decision, jitter_of(spec, decision));
+  const Rational grid(1, 200);
   const Rational off =
-      beside_way(kind, decision, retreat->speed.value) + n.sway + n.hold + 3 * error;
+      beside_way(kind, decision, retreat->speed.value) + n.sway + n.hold + 3 * error + grid;
   if (milli(*near_mm) < *deepest + *run_out + off + kind.radius.value) {
     return wrong("it may drive farther from the border");
   }

@@ -64,27 +64,6 @@ Rational holds_for(const sema::Expr& condition) {
   return sum;
 }
 
-// The most clearance that a property of the decision asks for, of any zone.
-Rational most_gap(const sema::Spec& spec, const sema::Decision& d) {
-  Rational most = 0;
-  const auto ask = [&](const sema::Expr& large, const sema::Expr& small) {
-    const auto sum = difference(spec, large, small);
-    if (!sum || sum->terms.size() != 1) return;
-    const auto& [of, by] = *sum->terms.begin();
-    if (of.kind != Measured::Kind::clearance || by <= 0) return;
-    most = std::max(most, Rational(-sum->least / by));
-  };
-  for (const sema::MonitorId id : d.priority) {
-    sema::for_each_expr(*spec[id].always, [&](const sema::Expr& e) {
-      const auto* compare = std::get_if<sema::Compare>(&e.node);
-      if (compare == nullptr) return;
-      ask(*compare->left, *compare->right);
-      ask(*compare->right, *compare->left);
-    });
-  }
-  return most;
-}
-
 // Legs that are counted; who may be seen with less than its body takes is led in by one more.
 struct Legs {
   int count, looks;
@@ -258,10 +237,11 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
   if (said->route < claims.leg_clearance(decision, monitor, said->zone)) return wrong(too_near);
   const Rational error = kind.position ? kind.position->error.value : Rational(0);
   const Rational step(1, 1000);  // of the kernel
-  if (said->starts > kind.radius.value + most_gap(spec, decision) + 2 * step) {
+  const Rational keeps = starts_off(spec, decision, monitor, said->zone);
+  if (said->starts > kind.radius.value + keeps + 2 * step) {
     return wrong("it leaves out places that a body fits");
   }
-  if (said->back < claims.return_clearance(decision, said->zone, micro(*extra_us)) ||
+  if (said->back < claims.led_to(decision, monitor, said->zone, micro(*extra_us)) ||
       said->aim < said->back + std::max(Rational(1, 50), error) + error) {
     return wrong("control may not be given back with that clearance");
   }
@@ -292,7 +272,7 @@ std::optional<Doubt> check_lasting(const sema::Spec& spec, const sema::Decision&
     return ends_in(return_seconds(kind, decision, recovery, cell, milli(*way_mm)),
                    driven_metres(kind, decision, recovery, cell, milli(*way_mm), after));
   }
-  const auto legs = legs_of(*zone, *said, most_gap(spec, decision), kind, steps.back(), sites, v);
+  const auto legs = legs_of(*zone, *said, keeps, kind, steps.back(), sites, v);
   if (!legs) return wrong("its way may have more legs, or it may be led in first");
   const Rational in_all = milli(*way_mm) + legs->led_in;
   return ends_in(legs_seconds(kind, decision, recovery, cell, in_all, legs->count + legs->looks - 1,

@@ -116,6 +116,27 @@ Found Claims::returned(const Values& v) {
   return std::nullopt;
 }
 
+Rational Claims::led_to(const sema::Decision& d, const sema::Monitor& driving, sema::ZoneId zone,
+                        const Rational& extra) {
+  const geometry::Region* const own = zones_.region(zone);
+  Rational clear = 0, gap = 0;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec_[id];
+    clear = std::max(clear, return_clearance(d, m, extra));
+    for (const sema::ZoneId asked : all_zones(*m.always)) {
+      const Rational of = gap_of(spec_, *m.always, asked);
+      const geometry::Region* const other = zones_.region(asked);
+      if (of <= gap) continue;
+      const bool lies =
+          asked == zone || (own != nullptr && other != nullptr && other->contains(*own));
+      const auto kept = lies && asked != zone ? other->offset(-without_excess(of)) : std::nullopt;
+      const bool deep = kept && kept->contains(*own);
+      if (lies ? !deep : m.recover == driving.recover) gap = of;
+    }
+  }
+  return clear + gap;
+}
+
 Rational Claims::clear_where_led(const sema::Decision& d, sema::ZoneId zone,
                                  const Rational& extra) {
   Rational left = return_clearance(d, zone, extra);

@@ -313,7 +313,17 @@ class Turns {
     const geometry::Region* const other = claims_.zones().region(zone);
     if (own == nullptr || other == nullptr) return false;
     const auto middle = own->offset(-std::max(milli(*near_mm), brakes));
-    const Rational need = claims_.return_clearance(d_, zone, extra());
+    Rational need = claims_.return_clearance(d_, zone, extra());
+    const Rational speed = driven_at_most(n, recovery(i));
+    for (const sema::MonitorId id : d_.priority) {
+      const sema::Monitor& m = spec_[id];
+      const auto of = all_zones(*m.always);
+      if (std::ranges::find(of, zone) == of.end()) continue;
+      const Rational looks =
+          (m.ahead.duration ? m.ahead.duration->value : least_ahead(m)) + extra();
+      need = std::max(
+          need, Rational(cruising_clearance(n, speed, looks) + gap_of(spec_, *m.always, zone)));
+    }
     return middle && other->shrink(without_excess(need)).contains(own->subtract(*middle));
   }
   // It fails nowhere but near the boundary of the zone, or because its robot is fast there.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/way_legs.h"
 #include "compiler/sema/templates.h"
 
@@ -18,7 +19,7 @@ std::optional<Said> said_of(Claims& claims, const Values& v) {
   const auto zone = claims.zones().find(text(v, "zone"));
   const auto cell = number(v, "cell_mm"), x = number(v, "cells_x_mm"), y = number(v, "cells_y_mm");
   if (!zone || !cell || *cell <= 0 || !x || !y) return std::nullopt;
-  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}};
+  Said said{*zone, {*cell, *x, *y}, {}, {}, {}, {}, {}};
   for (const auto& [key, to] :
        {std::pair("starts_mm", &said.starts), std::pair("route_mm", &said.route),
         std::pair("return_mm", &said.back), std::pair("aim_mm", &said.aim)}) {
@@ -26,7 +27,25 @@ std::optional<Said> said_of(Claims& claims, const Values& v) {
     if (!mm || *mm < 0) return std::nullopt;
     *to = milli(*mm);
   }
+  if (v.contains("exact_mm")) {
+    const auto mm = number(v, "exact_mm");
+    if (!mm) return std::nullopt;
+    said.exact = milli(*mm);
+  }
   return said;
+}
+
+Rational starts_off(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& driving,
+                    sema::ZoneId zone) {
+  Rational relied = 0;
+  std::optional<Rational> drives;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    const Rational gap = sure_gap_of(spec, *m.always, zone);
+    if (relied_on(spec, d, m)) relied = std::max(relied, gap);
+    if (m.recover == driving.recover) drives = std::min(drives.value_or(gap), gap);
+  }
+  return std::max(relied, drives.value_or(0));
 }
 
 std::vector<geometry::Point> sites_of(const sema::Spec& spec, const sema::Template& last) {

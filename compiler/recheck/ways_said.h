@@ -12,9 +12,14 @@ struct Said {
   sema::ZoneId zone;
   Cells cells;
   Rational starts, route, back, aim;
+  std::optional<Rational> exact;  // none: the tables are exact all over
 };
 std::optional<Said> said_of(Claims& claims, const Values& v);
 
+// How much more than its body takes a robot has of the boundary of a zone wherever the recovery of
+// `driving` takes over: as all that it drives for ask for, or one that is relied on.
+Rational starts_off(const sema::Spec& spec, const sema::Decision& d, const sema::Monitor& driving,
+                    sema::ZoneId zone);
 // Where a route leads, each robot to its own.
 std::vector<geometry::Point> sites_of(const sema::Spec& spec, const sema::Template& last);
 // The longest way over cells. nullopt: nothing bounds it.

@@ -2,6 +2,7 @@
 #include <map>
 #include <string>
 
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/support/rational.h"
@@ -19,7 +20,7 @@ std::string text(std::int64_t n) {
 Claim with_ways(const Subject& s, Claim claim, const ir::Recovery& last) {
   const ir::Body& body = s.decision.body;
   const ir::ZoneTable& zone = s.module[last.zone];
-  const std::int64_t keeps_mm = analysis::standoff_mm(s.decision, last);
+  const std::int64_t keeps_mm = analysis::starts_off_mm(s.decision, last);
   const std::int64_t aim_mm = last.return_clearance_mm + body.end_reach_mm + body.position_error_mm;
   claim = with_cells(std::move(claim), zone);
   claim.values.merge(
@@ -28,6 +29,7 @@ Claim with_ways(const Subject& s, Claim claim, const ir::Recovery& last) {
                                          {"route_mm", text(last.route_clearance_mm)},
                                          {"return_mm", text(last.return_clearance_mm)},
                                          {"aim_mm", text(aim_mm)}});
+  if (zone.tree.exact_inside_mm) claim.values["exact_mm"] = text(*zone.tree.exact_inside_mm);
   return claim;
 }
 

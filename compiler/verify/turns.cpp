@@ -134,12 +134,17 @@ bool places_whatever_told(const Subject& s, const ir::Block& block, ir::ValueId 
   });
 }
 
-// How clear of a zone a robot is given back by every monitor that asks for it.
-std::int64_t returned_mm(const Subject& s, ir::ZoneIndex zone) {
+// How clear of a zone a robot at rest is given back by every monitor that asks for it; one that a
+// recovery drives, with that.
+std::int64_t returned_mm(const Subject& s, ir::ZoneIndex zone, const ir::Motion* motion = nullptr) {
   std::int64_t most_mm = 0;
   for (const ir::Monitor& m : s.decision.monitors) {
     if (!m.lookahead.duration) continue;
-    const std::int64_t back_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+    std::int64_t back_mm = analysis::return_clearance_mm(s.decision, m.lookahead.duration_us);
+    if (motion != nullptr) {
+      const std::int64_t ahead_us = m.lookahead.duration_us + s.decision.return_extra_us;
+      back_mm = std::max(back_mm, analysis::cruise_clearance_mm(s.decision, *motion, ahead_us));
+    }
     for (const analysis::Standoff& each :
          analysis::fence_standoffs(m.property, s.decision.facts.params)) {
       if (each.zone == zone) most_mm = std::max(most_mm, back_mm + each.mm);
@@ -148,13 +153,15 @@ std::int64_t returned_mm(const Subject& s, ir::ZoneIndex zone) {
   return most_mm;
 }
 
-// Wherever recovery i, which drives beside the border of its zone alone, is let go, that is needed.
-bool leaves_by_border(const Subject& s, std::size_t i, std::size_t j, const Need& need) {
+// Wherever recovery i, which drives beside the border of its zone alone, is let go, be it on its
+// way, the robot is as clear of another zone as all monitors ask for.
+bool leaves_by_border(const Subject& s, std::size_t i, std::size_t j, ir::ZoneIndex other) {
   const analysis::ExactSolid solid = any_solid(s);
   const analysis::TakeOver at{s.module, s.decision, s.exact, solid, j, s.known.get()};
   const auto near_mm = analysis::let_go_within_mm(s.kind, at, i);
   const ir::ZoneIndex zone = ir::last_step(s.decision.monitors[i].recovery).zone;
-  return near_mm && analysis::border_lies_deep(at, zone, *near_mm, {need.zone, need.clearance_mm});
+  const std::int64_t need_mm = returned_mm(s, other, &s.decision.motions[i + 1]);
+  return near_mm && analysis::border_lies_deep(at, zone, *near_mm, {other, need_mm});
 }
 
 // Where recovery i may return, the derived return condition of monitor j holds: others are far, at
@@ -184,7 +191,7 @@ bool settles(const Subject& s, bool leads, const LedOn& led_on, std::size_t i, s
            const bool leads_there =
                leaves(s, last.zone, last.return_clearance_mm, need) &&
                (led_on.as_before || has_early(s, s.decision.monitors[i], need));
-           return leads_there || (led_on.kept && leaves_by_border(s, i, j, need));
+           return leads_there || (led_on.kept && leaves_by_border(s, i, j, zone));
          });
 }
 

@@ -154,8 +154,6 @@ std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_
                             {"near_mm", text(*near_mm)},
                             {"extra_us", text(s.decision.return_extra_us)}}},
                           retreat);
-  const std::int64_t kept_mm = analysis::kept_at_start_mm(s.decision, driving);
-  claim.values["starts_mm"] = text(s.decision.body.radius_mm + kept_mm);
   if (outer.mm > analysis::touching_mm) claim.values["standoff_mm"] = text(outer.mm);
   return claim;
 }

@@ -147,6 +147,19 @@ TEST_F(ByBorder, AForgedClaimIsNoticed) {
     claim() = before;
   }
 }
+// It leads to where all monitors give control back, also those that look farther ahead.
+TEST_F(ByBorder, ToLessThanOthersAskForIsNoticed) {
+  prove(edited(yard_with("rectangle (14 m, 14 m) to (16 m, 16 m)"), "recover off_pond;",
+               "ahead 1200 ms; recover off_pond;"));
+  const std::string led = claim()["return_mm"];
+  ASSERT_GT(std::stoll(led), 2000);
+  claim()["aim_mm"] = "560";
+  expect_noticed_with("return_mm", "520", "it leads deeper before control is given back");
+}
+TEST_F(ByBorder, TablesThatBoundDistancesFromBelowAreNoticed) {
+  prove(yard_with(deep));
+  expect_noticed_with("exact_mm", "600", "farther from the boundary than the tables are exact");
+}
 // The page says another thing than what was proved.
 TEST_F(ByBorder, AnotherPageIsNoticed) {
   prove(yard_with(deep));

@@ -145,7 +145,7 @@ decision drive for Bot { advanced scan; period 100 ms; priority charge; }
 // the other zone. The report names the recoveries.
 TEST_F(Verify, CoordinatedRecoveriesThatAreNotShownToKeepEachOtherAreUnknown) {
   std::string text = edited(drone_spec(), "decision fly", R"(
-zone hole = rectangle (2.3 m, 2.3 m) to (2.7 m, 2.7 m);
+zone hole = rectangle (1 m, 1 m) to (1.4 m, 1.4 m);
 zone north = rectangle (0 m, 0 m) to (5 m, 9 m) - hole;
 controller go_north : safe for Drone = retreat within north speed 0.3 m/s;
 monitor up for d : Drone { "SR-2: in the north" always d inside north; recover go_north; }
