@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "compiler/analysis/around.h"
 #include "compiler/analysis/boundless.h"
 #include "compiler/analysis/by_border.h"
 #include "compiler/analysis/company.h"
@@ -316,7 +317,9 @@ class Pair {
   bool keeps_its_standoff(const ir::Recovery& step, ir::ZoneIndex fence,
                           std::optional<std::int64_t> beyond_mm) {
     const std::int64_t asked_mm = beyond_mm.value_or(unbounded_mm);
-    if (keeps_off(module_, decision_, exact_, solid_, driving_, judged_, step, {fence, asked_mm})) {
+    const Standoff asked{fence, asked_mm};
+    if (keeps_off(module_, decision_, exact_, solid_, driving_, judged_, step, asked) ||
+        keeps_around(kind_, module_, decision_, exact_, driving_, judged_, asked)) {
       return true;
     }
     const std::string name = name_as_written(module_[fence]);

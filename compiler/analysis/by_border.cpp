@@ -2,19 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
-#include <utility>
-#include <vector>
 
-#include "compiler/analysis/asked_ways.h"
 #include "compiler/analysis/fences.h"
-#include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/keeps_off.h"
+#include "compiler/analysis/led_from.h"
 #include "compiler/analysis/limits.h"
-#include "compiler/analysis/liveness.h"
-#include "compiler/analysis/sides.h"
-#include "compiler/analysis/tables.h"
-#include "compiler/analysis/travel.h"
 #include "compiler/ir/linear.h"
 
 namespace rtac::analysis {
@@ -58,42 +50,6 @@ class Depths {
   const std::int64_t across_mm_;
 };
 
-// How far from the boundary it is led, but for what it strays by: no farther from where it sets out
-// than its way is long, which is where it is measured to be less clear than control takes.
-std::optional<std::int64_t> found_within_mm(const std::vector<geometry::EdgeRow>& edges,
-                                            const ir::ZoneTable& zone, const ir::Module& module,
-                                            const ir::Decision& decision,
-                                            const ir::Recovery& retreat) {
-  const Ways ways = ways_of(module, decision, retreat);
-  const auto in = led_in(edges, zone.cells, decision, retreat);
-  if (!ways.longest_mm || !ways.deeper_mm || !ways.stranded.empty() || !in) return std::nullopt;
-  InSight legs(edges, zone.cells, decision, retreat);
-  const Depths depths(zone.cells);
-  const std::int64_t deepest_mm = goals_mm(decision, retreat).back();
-  // where the tables bound distances from below alone, it is not measured to be as clear as it is
-  const auto exact_mm = zone.tree.exact_inside_mm;
-  if (exact_mm && *exact_mm < std::max(deepest_mm, retreat.route_clearance_mm)) return std::nullopt;
-  std::int64_t most_mm = deepest_mm;
-  for (std::size_t at = 0; at < zone.cells.clearance_mm_lo.size(); ++at) {
-    if (zone.cells.clearance_mm_lo[at] >= retreat.return_clearance_mm || !legs.holds_some(at))
-      continue;
-    const auto leg_mm = legs.surely_taken_mm(at);
-    std::int64_t way_mm =
-        leg_mm.value_or(std::max({2 * deepest_mm, ways.from_mm[at], *ways.deeper_mm}));
-    if (!in->from_mm.empty()) way_mm = std::max(way_mm, in->from_mm[at]);
-    most_mm = std::max(most_mm, depths.within(at, way_mm));
-  }
-  return most_mm;
-}
-std::optional<std::int64_t> led_within_mm(const ir::Module& module, const ir::Decision& decision,
-                                          const ir::Recovery& retreat) {
-  const ir::ZoneTable& zone = module[retreat.zone];
-  const std::vector<geometry::EdgeRow> edges = edges_of(zone);
-  thread_local geometry::Kept<AskedWays, std::optional<std::int64_t>> kept;
-  return kept.find(AskedWays(edges, zone.cells, decision, retreat),
-                   [&] { return found_within_mm(edges, zone, module, decision, retreat); });
-}
-
 // What it asks for are clearances of the zone alone: it fails nowhere but near the boundary.
 bool asks_for_zone_alone(const ir::Decision& d, const ir::Block& block, ir::ValueId id,
                          ir::ZoneIndex zone) {
@@ -113,25 +69,16 @@ bool asks_for_zone_alone(const ir::Decision& d, const ir::Block& block, ir::Valu
 
 std::optional<std::int64_t> by_border_mm(const sema::RobotKind& kind, const TakeOver& at,
                                          const ir::Monitor& driving) {
-  const ir::Decision& decision = at.decision;
-  const ir::Recovery& retreat = ir::last_step(driving.recovery);
-  const auto steps = ir::steps_of(driving.recovery);
-  const bool brakes_before =
-      std::all_of(steps.begin(), std::prev(steps.end()),
-                  [](const auto* step) { return step->kind == ir::RecoveryKind::brake; });
-  if (retreat.kind != ir::RecoveryKind::retreat || retreat.claims || !brakes_before ||
-      decision.body.in_space || at.module[retreat.zone].has_height() || decision.robots != 1 ||
-      decision.open_fleet || !starts_within(at, retreat.zone)) {
-    return std::nullopt;
+  const ir::ZoneTable& zone = at.module[ir::last_step(driving.recovery).zone];
+  const auto led = led_from(kind, at.module, at.decision, driving);
+  if (!led || !starts_within(at, ir::last_step(driving.recovery).zone)) return std::nullopt;
+  const Depths depths(zone.cells);
+  std::int64_t most_mm = led->aims_mm;
+  for (std::size_t cell = 0; cell < led->from_mm.size(); ++cell) {
+    const std::int64_t way_mm = led->from_mm[cell];
+    if (way_mm >= 0) most_mm = std::max(most_mm, depths.within(cell, way_mm));
   }
-  const auto led_mm = led_within_mm(at.module, decision, retreat);
-  if (!led_mm) return std::nullopt;
-  const ir::Body& body = decision.body;
-  const Rational speed(static_cast<long>(retreat.speed_mmps), 1000);
-  constexpr std::int64_t grid_mm = 10;
-  return *led_mm + run_out_mm(kind, speed, decision.period_us) + beside_leg_mm(decision, retreat) +
-         3 * body.position_error_mm + body.end_reach_mm + off_hold_mm(body) + body.hold_mm +
-         body.radius_mm + grid_mm;
+  return most_mm + led->strays_mm + at.decision.body.radius_mm;
 }
 
 std::optional<std::int64_t> let_go_within_mm(const sema::RobotKind& kind, const TakeOver& at,

@@ -67,7 +67,8 @@ class Recoveries {
           misplaced_in_space(written_, module_, decision_, monitor_, exact_, solid_, trials_);
       if (found) all.push_back(std::move(*found));
     } else {
-      all = misplaced(written_, controller_, module_, exact_, decision_, monitor_, trials_);
+      all = misplaced(spec_[written_.kind], written_, controller_, module_, exact_, decision_,
+                      monitor_, trials_);
     }
     misplaced_ = !all.empty();
     for (diag::Diagnostic& found : all) diagnostics_.report(std::move(found));

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/analysis/around.h"
 #include "compiler/analysis/boundless.h"
 #include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
@@ -47,10 +48,11 @@ struct Kept {
 
 class Places {
  public:
-  Places(const sema::Monitor& written, const sema::Controller& controller, const ir::Module& module,
-         const ExactZone& exact, const ir::Decision& decision, const ir::Monitor& monitor,
-         Trials* trials)
-      : written_(written),
+  Places(const sema::RobotKind& kind, const sema::Monitor& written,
+         const sema::Controller& controller, const ir::Module& module, const ExactZone& exact,
+         const ir::Decision& decision, const ir::Monitor& monitor, Trials* trials)
+      : kind_(kind),
+        written_(written),
         controller_(controller),
         module_(module),
         exact_(exact),
@@ -216,7 +218,8 @@ class Places {
   // Of another zone than its own it keeps what is asked for only as keeps_off.h says.
   bool nearer(const ir::Recovery& step, ir::ZoneIndex zone) {
     const Standoff fence{zone, kept_mm(step, zone)};
-    if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, monitor_, step, fence)) {
+    if (keeps_off(module_, decision_, exact_, ExactSolid{}, monitor_, monitor_, step, fence) ||
+        keeps_around(kind_, module_, decision_, exact_, monitor_, monitor_, fence)) {
       return false;
     }
     const std::string own = "`" + module_[step.zone].name + "`", far = metres(fence.mm);
@@ -455,6 +458,7 @@ class Places {
     return about_recovery(written_, code, std::move(message));
   }
 
+  const sema::RobotKind& kind_;
   const sema::Monitor& written_;
   const sema::Controller& controller_;
   const ir::Module& module_;
@@ -510,12 +514,12 @@ std::optional<Region> within(const Region& region, std::int64_t mm) {
   return region.offset(by_m);
 }
 
-std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
+std::vector<diag::Diagnostic> misplaced(const sema::RobotKind& kind, const sema::Monitor& written,
                                         const sema::Controller& controller,
                                         const ir::Module& module, const ExactZone& exact,
                                         const ir::Decision& decision, const ir::Monitor& monitor,
                                         Trials* trials) {
-  return Places(written, controller, module, exact, decision, monitor, trials).run();
+  return Places(kind, written, controller, module, exact, decision, monitor, trials).run();
 }
 
 }  // namespace rtac::analysis

@@ -31,7 +31,7 @@ diag::Diagnostic about_recovery(const sema::Monitor& written, diag::Code code, s
 
 // 5016 of a recovery that moves, or claims to stay in a zone, or 5020 where it finds no way into
 // its zone; the first finding of each step.
-std::vector<diag::Diagnostic> misplaced(const sema::Monitor& written,
+std::vector<diag::Diagnostic> misplaced(const sema::RobotKind& kind, const sema::Monitor& written,
                                         const sema::Controller& controller,
                                         const ir::Module& module, const ExactZone& exact,
                                         const ir::Decision& decision, const ir::Monitor& monitor,

@@ -2,39 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <variant>
 #include <vector>
 
 #include "compiler/recheck/coming_in.h"
-#include "compiler/recheck/company.h"
-#include "compiler/recheck/numbers.h"
-#include "compiler/recheck/on_grid.h"
-#include "compiler/recheck/return_when.h"
-#include "compiler/recheck/straight.h"
-#include "compiler/recheck/travel.h"
-#include "compiler/recheck/ways_said.h"
-#include "compiler/sema/templates.h"
+#include "compiler/recheck/led_from.h"
 
 namespace rtac::recheck {
 namespace {
-
-// Why it is not as clear as said where it sets out, or may go elsewhere.
-std::optional<Doubt> sets_out(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
-                              const sema::Monitor& driving, const Said& said,
-                              const Rational& extra) {
-  if (said.back < claims.led_to(d, driving, said.zone, extra)) {
-    return wrong("it leads deeper before control is given back");
-  }
-  for (const sema::MonitorId id : d.priority) {
-    const sema::Monitor& m = spec[id];
-    if (m.recover != driving.recover || m.return_when == nullptr) continue;
-    if (!lets_go(spec, d, claims, m, said.back)) {
-      return wrong("`return when` of `" + m.name + "` may have it led deeper");
-    }
-  }
-  return std::nullopt;
-}
 
 // The most clearance of any place no farther than `reach` from some place of a cell.
 double deepest_within(const Grid& grid, std::size_t at, double reach) {
@@ -60,113 +36,106 @@ double deepest_within(const Grid& grid, std::size_t at, double reach) {
   return std::min(most, depth(at) + reach);
 }
 
-// By cell, how far a way may lead from there: to where it aims, or where control is given back.
-std::optional<std::vector<double>> ways_from(const geometry::Region& zone, const Said& said,
-                                             const sema::Template& last) {
-  std::optional<std::vector<double>> all;
-  const std::vector<Rational> aims = aims_of(said, last);
-  for (std::size_t k = 0; k < aims.size(); ++k) {
-    const auto ways = longest_ways(zone, said.cells, said.starts, said.route, aims[k], {}, k > 0);
-    if (!ways) return std::nullopt;
-    if (!all) all.emplace(ways->from.size(), 0);
-    for (std::size_t at = 0; at < all->size(); ++at) {
-      (*all)[at] = std::max((*all)[at], ways->from[at]);
+double deepest_of(const LedFrom& led) {
+  double most = led.aims;
+  for (std::size_t at = 0; at < led.from.size(); ++at) {
+    if (led.from[at] >= 0) most = std::max(most, deepest_within(led.grid, at, led.from[at]));
+  }
+  return most;
+}
+
+double nearest(const std::vector<Segment>& all, double x, double y) {
+  double square = std::numeric_limits<double>::infinity();
+  for (const Segment& s : all) square = std::min(square, square_to(s, x, y));
+  return std::sqrt(square);
+}
+
+// Of the boundary of a zone what is no part of that of a fence, exactly.
+std::vector<Segment> other_walls(const geometry::Region& zone, const geometry::Region& fence) {
+  using geometry::Point;
+  const std::vector<geometry::Ring> outer = fence.rings();
+  const auto lies_on = [](const Point& p, const Point& a, const Point& b) {
+    const Rational dx = b.x - a.x, dy = b.y - a.y, along = (p.x - a.x) * dx + (p.y - a.y) * dy;
+    return (p.x - a.x) * dy == (p.y - a.y) * dx && along >= 0 && along <= dx * dx + dy * dy;
+  };
+  const auto is_of_fence = [&](const Point& a, const Point& b) {
+    return std::ranges::any_of(outer, [&](const geometry::Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point &c = ring[i], &d = ring[(i + 1) % ring.size()];
+        if (lies_on(a, c, d) && lies_on(b, c, d)) return true;
+      }
+      return false;
+    });
+  };
+  std::vector<Segment> all;
+  for (const geometry::Ring& ring : zone.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if (is_of_fence(a, b)) continue;
+      all.push_back({a.x.get_d(), a.y.get_d(), b.x.get_d(), b.y.get_d()});
     }
   }
   return all;
-}
-
-// How far from the border it is led, but for what it strays by: from each cell by a leg that is in
-// sight and short enough to be taken before a search, or else by that or a way over cells.
-// nullopt: that is not known.
-std::optional<Rational> deepest_of(const geometry::Region& zone, const Said& said,
-                                   const sema::RobotKind& kind, const sema::Template& last,
-                                   const Rational& keeps) {
-  const auto in = led_in(zone, said, kind, last, keeps);
-  const auto found = on_grid(zone, said.cells);
-  if (!in || !found) return std::nullopt;
-  const Grid& grid = found->cells;
-  const double aim = aims_of(said, last).back().get_d();
-  constexpr double rounded = 0.004;
-  Straight straight(found->edges, grid, kind.radius.value.get_d(), found->convex);
-  std::optional<std::vector<double>> ways;
-  double most = aim;
-  for (std::size_t at = 0; at < grid.clearance.size(); ++at) {
-    if (grid.clearance[at] >= said.back.get_d() + table_m) continue;
-    if (grid.clearance[at] < 0 && !straight.holds_some(at)) continue;
-    auto way = straight.longest_from(at, aim, 2 * aim - rounded);
-    if (!way) {
-      if (!ways) ways = ways_from(zone, said, last);
-      if (!ways) return std::nullopt;
-      way = std::max(2 * aim, (*ways)[at]);
-    }
-    if (!in->from.empty()) way = std::max(*way, in->from[at]);
-    most = std::max(most, deepest_within(grid, at, *way));
-  }
-  return Rational(most);
 }
 
 }  // namespace
 
 std::optional<Doubt> check_by_border(const sema::Spec& spec, const sema::Decision& decision,
                                      Claims& claims, const Values& v) {
-  const sema::RobotKind& kind = spec[decision.kind];
-  const sema::Monitor* const driving = monitor_of(spec, decision, text(v, "monitor"));
   const sema::Monitor* const judged = monitor_of(spec, decision, text(v, "judged"));
-  const auto near_mm = number(v, "near_mm"), extra_us = number(v, "extra_us");
-  const auto said = said_of(claims, v);
+  const auto near_mm = number(v, "near_mm");
   const auto outer = claims.zones().find(text(v, "outer"));
-  if (driving == nullptr || judged == nullptr || !driving->recover || !near_mm || !extra_us ||
-      !said || !outer) {
+  const auto standoff = v.contains("standoff_mm") ? number(v, "standoff_mm") : 0;
+  if (judged == nullptr || !near_mm || !outer || !standoff || *standoff < 0) {
     return wrong("no such monitor or zone, or a number is missing");
   }
-  const sema::Controller& recovery = spec[*driving->recover];
-  const std::vector<sema::Template> steps = sema::templates_of(recovery);
-  const auto* const retreat = steps.empty() ? nullptr : std::get_if<sema::Retreat>(&steps.back());
-  const bool brakes_before =
-      !steps.empty() && std::all_of(steps.begin(), std::prev(steps.end()), [](const auto& step) {
-        return std::holds_alternative<sema::BrakeAndHold>(step);
-      });
-  if (retreat == nullptr || !brakes_before || retreat->zone != said->zone || kind.in_space) {
-    return wrong("it is no retreat of the plane within that zone");
-  }
-  if (!is_alone(spec, decision)) return wrong("others may stand in its way");
-  const geometry::Region* const zone = claims.zones().region(said->zone);
   const geometry::Region* const fence = claims.zones().region(*outer);
-  if (zone == nullptr || fence == nullptr) return Doubt{false, "a zone is not known"};
-  if (!starts_within(spec, decision, claims, *judged, said->zone)) {
+  if (fence == nullptr) return Doubt{false, "a zone is not known"};
+  const auto found = led_from(spec, decision, claims, v, 0);
+  if (const auto* const doubt = std::get_if<Doubt>(&found)) return *doubt;
+  const auto& led = std::get<LedFrom>(found);
+  if (!starts_within(spec, decision, claims, *judged, led.zone)) {
     return wrong("it may begin outside of its zone");
   }
-  if (auto doubt = sets_out(spec, decision, claims, *driving, *said, micro(*extra_us)))
-    return doubt;
-  if (said->route < claims.leg_clearance(decision, *driving, said->zone)) return wrong(too_near);
-  const Rational keeps = starts_off(spec, decision, *driving, said->zone);
-  const Rational step(1, 1000), error = kind.position ? kind.position->error.value : Rational(0);
-  if (said->starts > kind.radius.value + keeps + 2 * step) {
-    return wrong("it leaves out places that a body fits");
-  }
-  if (said->aim < said->back + std::max(Rational(1, 50), error) + error) {
-    return wrong("it aims deeper");
-  }
-  if (said->exact && *said->exact < std::max(said->aim, said->route)) {
-    return wrong("farther from the boundary than the tables are exact it may be led anywhere");
-  }
-  const auto deepest = deepest_of(*zone, *said, kind, steps.back(), keeps);
-  const auto run_out = driven_metres(kind, decision, recovery, std::nullopt, 0, 0);
-  if (!deepest || !run_out) return wrong("its way may be longer");
-  const Numbers n = numbers_of(spec, decision, jitter_of(spec, decision));
-  const Rational grid(1, 200);
-  const Rational off =
-      beside_way(kind, decision, retreat->speed.value) + n.sway + n.hold + 3 * error + grid;
-  if (milli(*near_mm) < *deepest + *run_out + off + kind.radius.value) {
+  const Rational body = spec[decision.kind].radius.value;
+  if (milli(*near_mm) < Rational(deepest_of(led)) + led.strays + body) {
     return wrong("it may drive farther from the border");
   }
-  const auto middle = zone->offset(-milli(*near_mm));
-  const auto standoff = v.contains("standoff_mm") ? number(v, "standoff_mm") : 0;
-  if (!middle || !standoff || *standoff < 0) return wrong("the standoff is no number");
+  const auto middle = led.region->offset(-milli(*near_mm));
   const auto kept = fence->offset(-without_excess(milli(*standoff)));
-  if (kept && kept->contains(zone->subtract(*middle))) return std::nullopt;
+  if (middle && kept && kept->contains(led.region->subtract(*middle))) return std::nullopt;
   return wrong("what is as near to the border is not contained");
+}
+
+std::optional<Doubt> check_around(const sema::Spec& spec, const sema::Decision& decision,
+                                  Claims& claims, const Values& v) {
+  const auto standoff_mm = number(v, "standoff_mm");
+  const auto outer = claims.zones().find(text(v, "outer"));
+  if (!standoff_mm || *standoff_mm < 0 || !outer) return wrong("no such zone or standoff");
+  const geometry::Region* const fence = claims.zones().region(*outer);
+  if (fence == nullptr) return Doubt{false, "a zone is not known"};
+  const Rational standoff = milli(*standoff_mm);
+  const auto found = led_from(spec, decision, claims, v, standoff);
+  if (const auto* const doubt = std::get_if<Doubt>(&found)) return *doubt;
+  const auto& led = std::get<LedFrom>(found);
+  if (sure_gap_of(spec, *led.driving->always, *outer) < standoff) {
+    return wrong("its property does not ask for so much");
+  }
+  if (!fence->contains(*led.region)) return wrong("its zone does not lie in that");
+  const std::vector<Segment> others = other_walls(*led.region, *fence), walls = segments_of(*fence);
+  const double keeps = Rational(spec[decision.kind].radius.value + standoff + led.strays).get_d();
+  const Grid& grid = led.grid;
+  const double around = grid.cell * std::sqrt(0.5);
+  for (std::size_t at = 0; at < led.from.size(); ++at) {
+    if (led.from[at] < 0) continue;
+    const double x = grid.x + (double(at % grid.columns) + 0.5) * grid.cell;
+    const double y = grid.y + (double(at / grid.columns) + 0.5) * grid.cell;
+    if (nearest(others, x, y) - around >= keeps) continue;
+    if (nearest(walls, x, y) - around < keeps + led.from[at]) {
+      return wrong("from beside another wall its way may lead nearer");
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace rtac::recheck

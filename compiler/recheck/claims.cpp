@@ -127,7 +127,8 @@ Found Claims::check(const Claim& claim) {
       {"sides", &Claims::sides},         {"leaves", &Claims::leaves},
       {"level", &Claims::level},         {"comes_in", &Claims::comes_in},
       {"parting", &Claims::parting},     {"told", &Claims::told},
-      {"at_once", &Claims::at_once},     {"by_border", &Claims::by_border}};
+      {"at_once", &Claims::at_once},     {"by_border", &Claims::by_border},
+      {"around", &Claims::around}};
   if (claim.what == "lemma") {
     const std::string name = text(claim.values, "name");
     const auto known = lemmas_.find(name);
@@ -438,6 +439,12 @@ Found Claims::by_border(const Values& v) {
   const sema::Decision* const d = decision(v);
   if (d == nullptr || !d->period) return wrong("no such decision");
   return check_by_border(spec_, *d, *this, v);
+}
+
+Found Claims::around(const Values& v) {
+  const sema::Decision* const d = decision(v);
+  if (d == nullptr || !d->period) return wrong("no such decision");
+  return check_around(spec_, *d, *this, v);
 }
 
 Found Claims::leaves(const Values& v) {

@@ -77,6 +77,7 @@ class Claims {
                               const Cells& cells, const Rational& route);
   std::optional<Doubt> lasts(const Values& v);
   std::optional<Doubt> by_border(const Values& v);
+  std::optional<Doubt> around(const Values& v);
   std::optional<Doubt> leaves(const Values& v);
   std::optional<Doubt> parting(const Values& v);
   std::optional<Doubt> legs(const Values& v);

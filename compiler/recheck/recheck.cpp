@@ -446,6 +446,18 @@ class Check {
              text(c.values, "outer") == zones.name(outer) && covers(c, gap);
     });
   }
+  // Or it keeps as far off, and its own property has the robot there where it sets out.
+  bool goes_around(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
+                   const sema::Monitor& m, sema::ZoneId inner, sema::ZoneId outer) {
+    if (&driving != &m && !relied_on(spec_, d, driving)) return false;
+    const NamedZones& zones = claims_.zones();
+    const Rational gap = gap_of(spec_, *m.always, outer);
+    return std::ranges::any_of(e.claims, [&](const Claim& c) {
+      return c.what == "around" && text(c.values, "monitor") == driving.name &&
+             text(c.values, "zone") == zones.name(inner) &&
+             text(c.values, "outer") == zones.name(outer) && covers(c, gap);
+    });
+  }
   // A step of the grid is no more than touching.
   static bool covers(const Claim& c, const Rational& gap) {
     const Rational off(static_cast<long>(number(c.values, "standoff_mm").value_or(0)), 1000);
@@ -466,7 +478,7 @@ class Check {
              text(c.values, "outer") == lies.values.at("outer") &&
              Rational(static_cast<long>(number(c.values, "standoff_mm").value_or(0))) >= gap * 1000;
     });
-    if (far) return;
+    if (far || goes_around(d, e, driving, m, inner, outer)) return;
     fail(whom(d, e) + ": nothing says that `" + recovery.name + "` keeps so far from `" +
          lies.values.at("outer") + "`");
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/analysis/around.h"
 #include "compiler/analysis/by_border.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/sides.h"
@@ -127,7 +128,8 @@ Doubt doubt_of_zone(const Subject& s, const analysis::TakeOver& take_over,
                 ? "a way from one zone of the `or` to another is not shown to stay in one of them"
                 : name + " does not lie in " + outer_name};
   }
-  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, judged, step, outer)) {
+  if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, judged, step, outer) &&
+      !analysis::keeps_around(s.kind, s.module, s.decision, s.exact, driving, judged, outer)) {
     return {"places of " + name + " are nearer than " + metres(outer.mm) + " to the boundary of " +
             outer_name};
   }
@@ -156,6 +158,17 @@ std::optional<Claim> by_border(const Subject& s, const analysis::TakeOver& take_
                           retreat);
   if (outer.mm > analysis::touching_mm) claim.values["standoff_mm"] = text(outer.mm);
   return claim;
+}
+// That it keeps off the boundary of a fence which it moves around.
+Claim around(const Subject& s, const ir::Monitor& driving, const analysis::Standoff& outer) {
+  return with_ways(s,
+                   {"around",
+                    {{"decision", s.decision.name},
+                     {"monitor", driving.name},
+                     {"outer", s.module[outer.zone].name},
+                     {"standoff_mm", std::to_string(outer.mm)},
+                     {"extra_us", std::to_string(s.decision.return_extra_us)}}},
+                   ir::last_step(driving.recovery));
 }
 // Of one step and one zone that the property asks for.
 Doubt doubt_of_step(const Subject& s, const analysis::TakeOver& take_over,
@@ -199,6 +212,10 @@ void claim_zones(const Subject& s, std::size_t k, std::size_t of, std::vector<Cl
         claims.push_back(contained(s, outer.zone, {inner, 0}));
       }
       if (step->claims) continue;
+      if (!analysis::keeps_off(s.module, s.decision, s.exact, s.solid, driving, judged, *step,
+                               outer)) {
+        claims.push_back(around(s, driving, outer));
+      }
       claims.push_back(
           with_cells({"comes_in",
                       {{"decision", s.decision.name},
