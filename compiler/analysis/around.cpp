@@ -100,8 +100,9 @@ bool keeps_around(const sema::RobotKind& kind, const ir::Module& module,
   for (std::size_t at = 0; at < led->from_mm.size(); ++at) {
     if (led->from_mm[at] < 0) continue;
     const auto columns = static_cast<std::size_t>(cells.columns);
-    const double x = static_cast<double>(cells.origin_x_mm) + (double(at % columns) + 0.5) * size;
-    const double y = static_cast<double>(cells.origin_y_mm) + (double(at / columns) + 0.5) * size;
+    const std::size_t column = at % columns, row = at / columns;
+    const double x = static_cast<double>(cells.origin_x_mm) + (double(column) + 0.5) * size;
+    const double y = static_cast<double>(cells.origin_y_mm) + (double(row) + 0.5) * size;
     if (boundary->others.from(x, y) - around >= keeps) continue;
     const auto way = static_cast<double>(led->from_mm[at]);
     if (boundary->fence.from(x, y) - around < keeps + way) return false;

@@ -128,8 +128,9 @@ std::optional<Doubt> check_around(const sema::Spec& spec, const sema::Decision& 
   const double around = grid.cell * std::sqrt(0.5);
   for (std::size_t at = 0; at < led.from.size(); ++at) {
     if (led.from[at] < 0) continue;
-    const double x = grid.x + (double(at % grid.columns) + 0.5) * grid.cell;
-    const double y = grid.y + (double(at / grid.columns) + 0.5) * grid.cell;
+    const std::size_t column = at % grid.columns, row = at / grid.columns;
+    const double x = grid.x + (double(column) + 0.5) * grid.cell;
+    const double y = grid.y + (double(row) + 0.5) * grid.cell;
     if (nearest(others, x, y) - around >= keeps) continue;
     if (nearest(walls, x, y) - around < keeps + led.from[at]) {
       return wrong("from beside another wall its way may lead nearer");
