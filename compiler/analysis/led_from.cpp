@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "compiler/analysis/asked_ways.h"
+#include "compiler/analysis/fences.h"
 #include "compiler/analysis/in_sight.h"
+#include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
 #include "compiler/analysis/tables.h"
@@ -53,6 +55,8 @@ std::optional<Led> led_from(const sema::RobotKind& kind, const ir::Module& modul
   const bool alone = decision.robots == 1 && !decision.open_fleet;
   if (!alone || !is_retreat(module, decision, driving.recovery)) return std::nullopt;
   const ir::Recovery& retreat = ir::last_step(driving.recovery);
+  // somebody may have broken before what the robot has where its ways begin
+  if (!relied_on(decision, driving) && starts_off_mm(decision, retreat) > 0) return std::nullopt;
   const ir::ZoneTable& zone = module[retreat.zone];
   const std::int64_t aims_mm = goals_mm(decision, retreat).back();
   // where the tables bound distances from below alone, it is not measured to be as clear as it is

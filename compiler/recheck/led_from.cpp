@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 
+#include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/on_grid.h"
@@ -111,7 +112,10 @@ std::variant<LedFrom, Doubt> led_from(const sema::Spec& spec, const sema::Decisi
   const Rational own = gap_of(spec, *driving->always, said->zone);
   const Rational least = claims.leg_clearance(decision, *driving, said->zone);
   if (said->route < least - own + std::max(own, standoff)) return wrong(too_near);
-  const Rational keeps = starts_off(spec, decision, *driving, said->zone);
+  // somebody may have broken it before
+  const Rational keeps = relied_on(spec, decision, *driving)
+                             ? starts_off(spec, decision, *driving, said->zone)
+                             : Rational(0);
   const Rational step(1, 1000), error = kind.position ? kind.position->error.value : Rational(0);
   if (said->starts > kind.radius.value + keeps + 2 * step) {
     return wrong("it leaves out places that a body fits");

@@ -384,7 +384,7 @@ class Check {
               {"zone", claims_.zones().name(inner)}});
       }
       for (const sema::ZoneId outer : asked.zones) {
-        if (stays_by_border(e, driving, m, inner, outer)) continue;
+        if (stays_by_border(d, e, driving, m, inner, outer)) continue;
         lies_in(d, e, driving, m, inner, outer);
         if (inner == outer || sema::claim_of(recovery)) continue;
         const NamedZones& zones = claims_.zones();
@@ -436,13 +436,14 @@ class Check {
     });
   }
   // A retreat need not lie all over in what it drives through only beside the border of its zone.
-  bool stays_by_border(const Entry& e, const sema::Monitor& driving, const sema::Monitor& m,
-                       sema::ZoneId inner, sema::ZoneId outer) {
+  bool stays_by_border(const sema::Decision& d, const Entry& e, const sema::Monitor& driving,
+                       const sema::Monitor& m, sema::ZoneId inner, sema::ZoneId outer) {
     const NamedZones& zones = claims_.zones();
     const Rational gap = gap_of(spec_, *m.always, outer);
     return std::ranges::any_of(e.claims, [&](const Claim& c) {
-      return c.what == "by_border" && text(c.values, "monitor") == driving.name &&
-             text(c.values, "judged") == m.name && text(c.values, "zone") == zones.name(inner) &&
+      return c.what == "by_border" && text(c.values, "decision") == d.name &&
+             text(c.values, "monitor") == driving.name && text(c.values, "judged") == m.name &&
+             text(c.values, "zone") == zones.name(inner) &&
              text(c.values, "outer") == zones.name(outer) && covers(c, gap);
     });
   }
@@ -453,7 +454,8 @@ class Check {
     const NamedZones& zones = claims_.zones();
     const Rational gap = gap_of(spec_, *m.always, outer);
     return std::ranges::any_of(e.claims, [&](const Claim& c) {
-      return c.what == "around" && text(c.values, "monitor") == driving.name &&
+      return c.what == "around" && text(c.values, "decision") == d.name &&
+             text(c.values, "monitor") == driving.name &&
              text(c.values, "zone") == zones.name(inner) &&
              text(c.values, "outer") == zones.name(outer) && covers(c, gap);
     });
