@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "compiler/analysis/fences.h"
 #include "compiler/analysis/keeps_off.h"
 #include "compiler/analysis/led_from.h"
 #include "compiler/analysis/limits.h"

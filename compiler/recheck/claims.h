@@ -32,12 +32,12 @@ class Claims {
   // The clearance in a zone of a robot at rest whose monitors all give control back, at least, when
   // they look `extra` s further ahead for that.
   Rational return_clearance(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
-  // What a recovery within the zone has of its boundary at least where it has led.
   // How clear the recovery of a monitor leads to in a zone of the plane, at least: control is given
   // back there by all monitors, whichever it drives for, and by what they ask for of that zone, and
   // of those that it lies in.
   Rational led_to(const sema::Decision& d, const sema::Monitor& driving, sema::ZoneId zone,
                   const Rational& extra);
+  // What a recovery within the zone has of its boundary at least where it has led.
   Rational clear_where_led(const sema::Decision& d, sema::ZoneId zone, const Rational& extra);
   // What one monitor asks for of its zones, the body included.
   [[nodiscard]] Rational return_clearance(const sema::Decision& d, const sema::Monitor& m,

@@ -11,7 +11,6 @@
 #include "compiler/recheck/numbers.h"
 #include "compiler/recheck/return_when.h"
 #include "compiler/recheck/sides.h"
-#include "compiler/recheck/sums.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/recheck/way_legs.h"
 #include "compiler/recheck/ways_said.h"

@@ -354,7 +354,6 @@ std::optional<LongestWays> longest_ways(const geometry::Region& zone, const Cell
   const Joining begins = joining(found->edges, grid, limits);
   if (begins.apart) return std::nullopt;
   const Rational over_cells = Rational(static_cast<long>(cells.cell_mm * most_steps)) / 1000;
-  for (const std::size_t at : without) from[at] = std::max(from[at], begins.from[at]);
   for (std::size_t at = 0; at < from.size(); ++at) {
     const bool leads_on = steps[at] >= 0 && is_clear(grid.clearance[at], body);
     if (begins.from[at] < 0) continue;

@@ -31,20 +31,10 @@ decision d for Rover { advanced drive; period 50 ms; priority fence > pond_edge;
   static constexpr const char* deep = "rectangle (12 m, 12 m) to (18 m, 18 m)";
   static constexpr const char* round = "circle (15 m, 15 m) radius 3 m";
 
-  Json& claim() {
-    for (Json& c : entry("P2a", "pond_edge")["claims"]) {
-      if (c["claim"] == "around") return c;
-    }
-    ADD_FAILURE() << report_.dump(2);
-    return report_;
-  }
+  Json& claim() { return claim_of("P2a", "pond_edge", "around"); }
   void expect_noticed_with(const std::string& key, const Json& value,
                            const std::string& why = "around") {
-    SCOPED_TRACE(key);
-    const Json before = claim();
-    claim()[key] = value;
-    expect_noticed(why);
-    claim() = before;
+    expect_changed(claim(), key, value, why);
   }
 };
 

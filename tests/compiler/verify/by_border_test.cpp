@@ -32,20 +32,10 @@ decision d for Rover { advanced drive; period 50 ms; priority fence > pond_edge;
   static constexpr const char* deep = "rectangle (12 m, 12 m) to (18 m, 18 m)";
   static constexpr const char* round = "circle (15 m, 15 m) radius 3 m";
 
-  Json& claim() {
-    for (Json& c : entry("C", "pond_edge")["claims"]) {
-      if (c["claim"] == "by_border") return c;
-    }
-    ADD_FAILURE() << report_.dump(2);
-    return report_;
-  }
+  Json& claim() { return claim_of("C", "pond_edge", "by_border"); }
   void expect_noticed_with(const std::string& key, const Json& value,
                            const std::string& why = "by_border") {
-    SCOPED_TRACE(key);
-    const Json before = claim();
-    claim()[key] = value;
-    expect_noticed(why);
-    claim() = before;
+    expect_changed(claim(), key, value, why);
   }
 };
 

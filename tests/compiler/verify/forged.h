@@ -21,6 +21,21 @@ class Forged : public Verify {
     ADD_FAILURE() << kind << " of " << monitor;
     return report_;
   }
+  Json& claim_of(const std::string& kind, const std::string& monitor, const std::string& what) {
+    for (Json& c : entry(kind, monitor)["claims"]) {
+      if (c["claim"] == what) return c;
+    }
+    ADD_FAILURE() << report_.dump(2);
+    return report_;
+  }
+  void expect_changed(Json& claim, const std::string& key, const Json& value,
+                      const std::string& why) {
+    SCOPED_TRACE(key);
+    const Json before = claim;
+    claim[key] = value;
+    expect_noticed(why);
+    claim = before;
+  }
   void expect_noticed(const std::string& why) {
     write("certificates/verification.json", report_.dump());
     const Outcome o = recheck_sealed_anew();
