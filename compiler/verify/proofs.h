@@ -189,8 +189,8 @@ std::optional<Claim> lasting_claim(const Subject& s, std::size_t k);
 
 // The claim, and the cells of the zone that it speaks of; `of` ends the names of these numbers.
 Claim with_cells(Claim claim, const ir::ZoneTable& zone, const std::string& of = "");
-// The claim, and what ways of a recovery over the cells of its zone keep clear, where they begin, and
-// how clear they lead to.
+// The claim, and what ways of a recovery over the cells of its zone keep clear, where they begin,
+// and how clear they lead to.
 Claim with_ways(const Subject& s, Claim claim, const ir::Recovery& last);
 // The integers that the kernel counts with, for a program that has its own idea of them.
 Claim limits_claim(const Subject& s);
