@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tests/compiler/analysis/testing.h"
+#include "tests/slow.h"
 
 namespace rtac::analysis::test {
 namespace {
@@ -463,6 +464,10 @@ INSTANTIATE_TEST_SUITE_P(Specs, Minimal, ::testing::ValuesIn(specs()), [](const 
   const std::string name = std::regex_replace(of.param, std::regex("(/spec)?\\.rta$"), "");
   return std::regex_replace(name.substr(name.rfind('/') + 1), std::regex("\\W"), "_");
 });
+
+TEST(SlowTests, OfTheAnalysisAreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("compiler_analysis"), std::set<std::string>{});
+}
 
 }  // namespace
 }  // namespace rtac::analysis::test

@@ -1,8 +1,6 @@
 // `rtac verify`: what is proved, acknowledged, unknown and refuted, and its exit codes.
-#include <set>
-#include <sstream>
-
 #include "tests/compiler/verify/testing.h"
+#include "tests/slow.h"
 
 namespace rtac::driver::test {
 namespace {
@@ -725,22 +723,8 @@ decision drive for Mower { advanced mow; period 100 ms; priority fence > battery
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
-// What takes turns on the integration machine (.ci/run): a test that has another name now would run
-// every time.
-TEST(SlowTests, AreThere) {
-  const auto& unit = *::testing::UnitTest::GetInstance();
-  std::set<std::string> names;
-  for (int i = 0; i < unit.total_test_suite_count(); ++i) {
-    const ::testing::TestSuite& suite = *unit.GetTestSuite(i);
-    for (int k = 0; k < suite.total_test_count(); ++k) {
-      names.insert(std::string(suite.name()) + "." + suite.GetTestInfo(k)->name());
-    }
-  }
-  std::istringstream slow(spec_text("tests/compiler/verify/slow.txt"));
-  int count = 0;
-  for (std::string name; std::getline(slow, name); ++count)
-    EXPECT_EQ(names.count(name), 1U) << name;
-  EXPECT_GT(count, 0);
+TEST(SlowTests, OfVerifyAreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("compiler_verify"), std::set<std::string>{});
 }
 
 }  // namespace
