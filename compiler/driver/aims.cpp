@@ -152,22 +152,34 @@ std::vector<Scenario> aimed_at_turns(const Obligation& o, const std::vector<std:
   return all;
 }
 
-// Robots that hold beside each other, measured as they are, unless it takes errors: who waits for
-// whom is all there is to it.
-Scenario aimed_at_lock_up(const Obligation& o, const verify::Start& start,
-                          const std::vector<std::string>& robots) {
+// Robots that hold beside each other: who waits for whom is all there is to it. Measured as they
+// are, and, of those of which only some wait, with all adversaries; or errors have to last.
+std::vector<Scenario> aimed_at_lock_ups(const Obligation& o,
+                                        const std::vector<std::string>& robots) {
   constexpr int kept_s = 120;  // in which each of them has looked for a way ten times
+  constexpr int exact_runs = 4, runs = 24;
   const bool errors_last = o.lock_up->errors_last;
-  Scenario there = Scenario::object();
-  there["about"] = o.monitor;
-  // of errors that last only some have them wait
-  there["runs"] = errors_last ? 24 : 4;
-  there["adversary"] = errors_last ? "lasting-errors" : "bang-bang";
-  if (!errors_last) there["noise"] = "none";
-  there["return_within_s"] = kept_s;
-  there["duration_s"] = kept_s + 1;
-  there["starts"] = starts_at(o, start, robots);
-  return there;
+  std::vector<Scenario> all;
+  for (const verify::Start& start : o.starts) {
+    Scenario there = Scenario::object();
+    there["about"] = o.monitor;
+    there["runs"] = errors_last ? runs : exact_runs;
+    there["adversary"] = errors_last ? "lasting-errors" : "bang-bang";
+    if (!errors_last) there["noise"] = "none";
+    there["return_within_s"] = kept_s;
+    there["duration_s"] = kept_s + 1;
+    there["starts"] = starts_at(o, start, robots);
+    all.push_back(std::move(there));
+  }
+  if (errors_last) return all;
+  for (std::size_t k = 0; k < o.starts.size(); ++k) {
+    Scenario there = all[k];
+    there["runs"] = runs;
+    there.erase("adversary");
+    there.erase("noise");
+    all.push_back(std::move(there));
+  }
+  return all;
 }
 
 }  // namespace
@@ -183,11 +195,8 @@ std::vector<Scenario> aimed_at(const Obligation& o, const sema::Spec& spec,
   if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
   // whoever keeps the other monitor engaged does so until the charge is gone
   if (o.unending) return {aimed_at_charge(o.monitor, 20, 3600)};
+  if (o.lock_up) return aimed_at_lock_ups(o, robots);
   std::vector<Scenario> all;
-  if (o.lock_up) {
-    for (const verify::Start& start : o.starts) all.push_back(aimed_at_lock_up(o, start, robots));
-    return all;
-  }
   Scenario about = Scenario::object();
   if (!o.monitor.empty()) about["about"] = o.monitor;
   if (about_return(o)) {

@@ -82,16 +82,14 @@ class Mending {
         refuted_(open_of(report, true)),
         open_(open_of(report, false)) {}
 
-  // In words; "": nothing that was tried mends it. One mend, or the second one that is offered of
-  // what the first one leaves of it.
+  // In words; "": nothing that was tried mends it. Numbers that are looked for; or one mend, or the
+  // second one that is offered of what the first one leaves of it.
   std::string run(const std::vector<Mend>& offered) {
+    if (std::string numbers = numbers_that_work(offered); !numbers.empty()) return numbers;
     const std::vector<Mend> mends = by_turns(offered);
     std::vector<std::pair<const Mend*, std::vector<Mend>>> left;
     for (std::size_t k = 0; k < std::min(mends.size(), tries_most); ++k) {
-      if (const auto* less = std::get_if<verify::LessApart>(&mends[k])) {
-        if (const auto most = most_that_works(*less)) return text_of(*c_.spec, *most) + " works";
-        continue;
-      }
+      if (is_sought(mends[k])) continue;
       const std::string text = text_of(*c_.spec, mends[k]);
       const auto anew = text.empty() ? std::nullopt : with(mends[k]);
       if (!anew) continue;
@@ -116,6 +114,21 @@ class Mending {
   }
 
  private:
+  static bool is_sought(const Mend& mend) {
+    return std::holds_alternative<verify::LessApart>(mend) ||
+           std::holds_alternative<verify::RoomToPass>(mend);
+  }
+  std::string numbers_that_work(const std::vector<Mend>& mends) {
+    std::string all;
+    for (const Mend& mend : mends) {
+      std::optional<Mend> found;
+      if (const auto* most = std::get_if<verify::LessApart>(&mend)) found = most_that_works(*most);
+      if (const auto* most = std::get_if<verify::RoomToPass>(&mend))
+        found = least_that_works(*most);
+      if (found) all += (all.empty() ? "" : ", or ") + text_of(*c_.spec, *found) + " works";
+    }
+    return all;
+  }
   // The largest distance with which it is shown, to a fiftieth of it; none: no smaller one helps.
   std::optional<Mend> most_that_works(const verify::LessApart& asked) {
     constexpr std::int64_t share = 50, hardly_any = 20;
@@ -127,6 +140,25 @@ class Mending {
     }
     if (low_mm == 0) return std::nullopt;
     return verify::LessApart{asked.monitor, low_mm};
+  }
+  // The least room with which it is shown, to less than five per cent of it, and of what is tried
+  // the first, as a large zone takes long; none: it takes more.
+  std::optional<Mend> least_that_works(const verify::RoomToPass& most) {
+    constexpr std::int64_t share = 25, first_part = 16;
+    const auto works = [&](std::int64_t by_mm) {
+      const auto anew = with(verify::RoomToPass{most.zone, by_mm});
+      return anew && mends_it(*anew);
+    };
+    std::int64_t low_mm = 0, high_mm = std::max<std::int64_t>(most.by_mm / first_part, 1);
+    while (!works(high_mm)) {
+      low_mm = high_mm, high_mm *= 2;
+      if (high_mm > most.by_mm) return std::nullopt;
+    }
+    while (high_mm - low_mm > high_mm / share + 1) {
+      const std::int64_t middle_mm = low_mm + (high_mm - low_mm) / 2;
+      (works(middle_mm) ? high_mm : low_mm) = middle_mm;
+    }
+    return verify::RoomToPass{most.zone, high_mm};
   }
   std::optional<Report> with(const Mend& mend) {
     if (left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most) return std::nullopt;

@@ -24,6 +24,7 @@ using verify::LessApart;
 using verify::LongerWait;
 using verify::LowerLanding;
 using verify::OtherZone;
+using verify::RoomToPass;
 using verify::SameRecovery;
 using verify::SlowerRecovery;
 using verify::WiderZone;
@@ -264,6 +265,51 @@ Undo rewritten(sema::Spec& spec, const WiderZone& wider) {
 // "`grow(yard, 1.2 m)` in place of `yard`"
 std::string text(const sema::Spec&, const WiderZone& wider) {
   return "`grow(" + wider.zone + ", " + metres(wider.by_mm) + ")` in place of `" + wider.zone + "`";
+}
+
+// A rectangle along the axes that a zone is written as: its corners, and of which coordinate it has
+// less. nullopt: it is none.
+struct Across {
+  Rational sema::Point::*coordinate;
+  Rational low, high;
+};
+std::optional<Across> across(const sema::Zone& zone) {
+  const auto* const polygon =
+      zone.value ? std::get_if<sema::ZonePolygon>(&zone.value->node) : nullptr;
+  if (polygon == nullptr || polygon->outer.points.size() != 4 || !polygon->holes.empty()) return {};
+  const std::vector<sema::Point>& points = polygon->outer.points;
+  const auto of = [&](Rational sema::Point::*c) {
+    const auto [low, high] = std::ranges::minmax(points, {}, c);
+    return Across{c, low.*c, high.*c};
+  };
+  const Across x = of(&sema::Point::x), y = of(&sema::Point::y);
+  const auto is_end = [](const sema::Point& p, const Across& a) {
+    return p.*a.coordinate == a.low || p.*a.coordinate == a.high;
+  };
+  for (const sema::Point& p : points) {
+    if (!is_end(p, x) || !is_end(p, y)) return {};
+  }
+  return x.high - x.low < y.high - y.low ? x : y;
+}
+Undo rewritten(sema::Spec& spec, const RoomToPass& more) {
+  sema::Zone* const zone = named(spec.zones, more.zone);
+  const auto of = zone != nullptr ? across(*zone) : std::nullopt;
+  if (!of) return rewritten(spec, WiderZone{more.zone, more.by_mm});
+  auto& points = std::get<sema::ZonePolygon>(zone->value->node).outer.points;
+  auto wider = points;
+  const Rational by = analysis::metres_of(more.by_mm);
+  for (sema::Point& p : wider) {
+    p.*of->coordinate += p.*of->coordinate == of->low ? Rational(-by) : by;
+  }
+  return exchanged(points, std::move(wider));
+}
+// "a width of `aisle` of 4.9 m"
+std::string text(const sema::Spec& spec, const RoomToPass& more) {
+  const auto& zone = *std::ranges::find(spec.zones, more.zone, &sema::Zone::name);
+  const auto of = across(zone);
+  if (!of) return text(spec, WiderZone{more.zone, more.by_mm});
+  return "a width of `" + more.zone + "` of " +
+         metres(of->high - of->low + analysis::metres_of(2 * more.by_mm));
 }
 Undo rewritten(sema::Spec& spec, const LongerWait& longer) {
   sema::RobotKind* const kind = named(spec.kinds, longer.kind);

@@ -106,6 +106,12 @@ struct WiderZone {
   std::string zone;
   std::int64_t by_mm = 0;
 };
+// That there is so much more room on every side of a zone, by its name, or of a rectangle on both
+// of its long sides: the least that works is looked for.
+struct RoomToPass {
+  std::string zone;
+  std::int64_t by_mm = 0;
+};
 // That the property of a monitor asks for no more than so much distance between robots: the most
 // that works is looked for.
 struct LessApart {
@@ -119,7 +125,7 @@ struct LongerWait {
 };
 // What may be written in another way.
 using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding,
-                          OtherZone, WiderZone, LessApart, LongerWait>;
+                          OtherZone, WiderZone, RoomToPass, LessApart, LongerWait>;
 
 struct Obligation {
   Kind kind{};

@@ -1,6 +1,7 @@
 // P2b of a recovery that waits for other robots, and makes room for them.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
@@ -208,10 +209,14 @@ NoWay no_way(const Subject& s, const ir::Monitor& m, const geometry::PartingQuer
   }
   if (found.how == geometry::Parting::How::stuck) {
     NoWay none{"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-                   " in " + quoted(zone.name) + " may both find no way to a distance of " +
-                   metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one",
-               {start_of(found)}};
-    if (const auto near = near_start(s, m, query)) none.starts.insert(none.starts.begin(), *near);
+               " in " + quoted(zone.name) + " may both find no way to a distance of " +
+               metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one"};
+    if (const auto near = near_start(s, m, query)) none.starts.push_back(*near);
+    none.starts.push_back(start_of(found));
+    if (!s.decision.body.in_space) {
+      std::ranges::move(lock_ups_beside_walls(s, yield, kept_mm(s.decision, m)),
+                        std::back_inserter(none.starts));
+    }
     return none;
   }
   return {};
@@ -341,6 +346,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
         analysis::sure_separation_mm(s.decision.monitors[k].property, s.decision.facts.params);
     o.besides = true;
     if (s.is_read && asked_mm > 1) o.mends = {LessApart{o.monitor, asked_mm}};
+    // in a zone that much wider one may pass on either side of the other one
+    if (s.is_read) o.mends.emplace_back(RoomToPass{zone.name, yield.pass_gap_mm});
     if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
     return unless_locked(s, yield, std::move(none.starts), std::move(o));
   }

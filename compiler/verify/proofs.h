@@ -103,6 +103,9 @@ Obligation shown_from(const Subject& s, const ir::Recovery& last, Obligation o,
 // with all of them. `instead`: another monitor whose recovery may drive, if there is one.
 std::vector<Start> lock_ups(const Subject& s, const ir::Recovery& yield,
                             const ir::Monitor* instead);
+// Of two robots in the plane, which are not given back nearer to each other than so.
+std::vector<Start> lock_ups_beside_walls(const Subject& s, const ir::Recovery& yield,
+                                         std::int64_t kept_mm);
 
 // P2b of a recovery that is proved to lead to its clearance of return: whether a robot that has
 // come to rest there is given back, as far as its own monitor is concerned.
