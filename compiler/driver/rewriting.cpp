@@ -294,7 +294,7 @@ std::optional<Across> across(const sema::Zone& zone) {
 Undo rewritten(sema::Spec& spec, const RoomToPass& more) {
   sema::Zone* const zone = named(spec.zones, more.zone);
   const auto of = zone != nullptr ? across(*zone) : std::nullopt;
-  if (!of) return rewritten(spec, WiderZone{more.zone, more.by_mm});
+  if (!of) return {};
   auto& points = std::get<sema::ZonePolygon>(zone->value->node).outer.points;
   auto wider = points;
   const Rational by = analysis::metres_of(more.by_mm);
@@ -307,7 +307,7 @@ Undo rewritten(sema::Spec& spec, const RoomToPass& more) {
 std::string text(const sema::Spec& spec, const RoomToPass& more) {
   const auto& zone = *std::ranges::find(spec.zones, more.zone, &sema::Zone::name);
   const auto of = across(zone);
-  if (!of) return text(spec, WiderZone{more.zone, more.by_mm});
+  if (!of) return "";
   return "a width of `" + more.zone + "` of " +
          metres(of->high - of->low + analysis::metres_of(2 * more.by_mm));
 }

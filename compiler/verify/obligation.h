@@ -106,8 +106,8 @@ struct WiderZone {
   std::string zone;
   std::int64_t by_mm = 0;
 };
-// That there is so much more room on every side of a zone, by its name, or of a rectangle on both
-// of its long sides: the least that works is looked for.
+// That a zone, by its name, which is a rectangle, has so much more room on both of its long sides:
+// the least that works is looked for.
 struct RoomToPass {
   std::string zone;
   std::int64_t by_mm = 0;

@@ -84,6 +84,24 @@ TEST_F(MakingRoom, TheLargestDistanceThatLeavesAWayIsOffered) {
   EXPECT_EQ(room(bench(most))["status"], "proved") << repair;
   EXPECT_NE(room(bench(1.05 * most))["status"], "proved") << repair;
 }
+// Of a rectangle both of its long sides give way.
+TEST_F(MakingRoom, TheLeastWidthThatLeavesAWayIsOffered) {
+  const auto lane = [](double wide_m) {
+    return halls_with("rectangle (0 m, 0 m) to (9 m, " +
+                      std::to_string(std::lround(wide_m * 1000)) + " mm)");
+  };
+  const std::string repair = room(lane(1.8))["repair"];
+  const std::string before = "or a width of `floor` of ", after = " m works";
+  const std::size_t at = repair.find(before), end = repair.find(after);
+  ASSERT_NE(at, std::string::npos) << repair;
+  ASSERT_NE(end, std::string::npos) << repair;
+  const double least = std::stod(repair.substr(at + before.size()));
+  EXPECT_EQ(room(lane(least))["status"], "proved") << repair;
+  EXPECT_NE(room(lane(0.95 * least))["status"], "proved") << repair;
+  const std::string of_another = room(halls_with(
+      "polygon [(0 m, 0 m), (9 m, 0 m), (9 m, 1.8 m), (5 m, 1.9 m), (0 m, 1.8 m)]"))["repair"];
+  EXPECT_EQ(of_another.find(" of `floor` "), std::string::npos) << of_another;
+}
 // Between a wall and a pillar they may stand square to the lane, where neither can come any nearer
 // to its side of it: then one of the two leaves along it, whichever way it is off the other.
 TEST_F(MakingRoom, OfTwoRobotsBesideAPillarOneFindsAWay) {
