@@ -445,8 +445,7 @@ INSTANTIATE_TEST_SUITE_P(Specs, Refuted, ::testing::ValuesIn(refuted_names()),
 // ever.
 class Parted : public Shown, public ::testing::WithParamInterface<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Specs, Parted,
-                         ::testing::Values("by_ring", "in_aisle", "in_corner", "in_doorway",
-                                           "in_ring", "stacked"),
+                         ::testing::Values("by_ring", "in_aisle", "in_doorway", "stacked"),
                          [](const auto& spec) { return spec.param; });
 TEST_P(Parted, NoRunShowsThatTheyWaitForEver) {
   const std::string path =
