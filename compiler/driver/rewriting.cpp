@@ -22,7 +22,7 @@ using verify::EarlierReturn;
 using verify::LaterReturn;
 using verify::LessApart;
 using verify::LongerWait;
-using verify::LowerLanding;
+using verify::OtherLanding;
 using verify::OtherZone;
 using verify::RoomToPass;
 using verify::SameRecovery;
@@ -194,16 +194,16 @@ std::string text(const sema::Spec&, const SlowerRecovery& slower) {
   return "a speed of `" + slower.recovery + "` of " + to_decimal(analysis::metres_of(slower.mmps)) +
          " m/s";
 }
-Undo rewritten(sema::Spec& spec, const LowerLanding& lower) {
-  return changed(spec, lower.recovery, [&](auto& each) {
+Undo rewritten(sema::Spec& spec, const OtherLanding& other) {
+  return changed(spec, other.recovery, [&](auto& each) {
     if constexpr (std::is_same_v<std::decay_t<decltype(each)>, sema::Land>) {
-      each.height.value = std::min(each.height.value, analysis::metres_of(lower.height_mm));
+      each.height.value = analysis::metres_of(other.height_mm);
     }
   });
 }
 // "`land to 4.2 m` in `down`"
-std::string text(const sema::Spec&, const LowerLanding& lower) {
-  return "`land to " + metres(lower.height_mm) + "` in `" + lower.recovery + "`";
+std::string text(const sema::Spec&, const OtherLanding& other) {
+  return "`land to " + metres(other.height_mm) + "` in `" + other.recovery + "`";
 }
 // The zone that is asked for, if it has a name.
 std::optional<sema::ZoneId> named_zone(const sema::Spec& spec, const OtherZone& other) {

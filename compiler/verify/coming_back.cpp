@@ -301,7 +301,7 @@ Obligation landing_returns(const Subject& s, std::size_t k, Obligation o) {
     o.because = quoted(m.recovery.name) + " ends at " + metres(end_mm) + ", and control is given " +
                 "back no higher than " + metres(*most_mm - gap_mm) + ", " + metres(gap_mm) +
                 " below the limit";
-    if (s.is_read) o.mends = {LowerLanding{m.recovery.name, *most_mm - gap_mm}};
+    if (s.is_read) o.mends = {OtherLanding{m.recovery.name, *most_mm - gap_mm}};
     return o;
   }
   if (!lowers || !most_mm) {

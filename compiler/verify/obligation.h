@@ -90,8 +90,8 @@ struct SlowerRecovery {
   std::string recovery;
   std::int64_t mmps = 0;
 };
-// That a recovery lands no higher than so.
-struct LowerLanding {
+// That a recovery lands at that height.
+struct OtherLanding {
   std::string recovery;
   std::int64_t height_mm = 0;
 };
@@ -124,7 +124,7 @@ struct LongerWait {
   std::int64_t seconds = 0;
 };
 // What may be written in another way.
-using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, LowerLanding,
+using Mend = std::variant<LaterReturn, SameRecovery, EarlierReturn, SlowerRecovery, OtherLanding,
                           OtherZone, WiderZone, RoomToPass, LessApart, LongerWait>;
 
 struct Obligation {

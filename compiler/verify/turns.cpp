@@ -274,9 +274,16 @@ Turns turns_among(const ir::Decision& d, const std::set<std::string>& names) {
 // leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
 // to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
 struct WhileTold {
-  std::string why, repair;        // of the first pair; of all, where one is enough
-  std::set<std::string> drive{};  // of the first pair
+  std::string why, repair;              // of the first pair; of all, where one is enough
+  std::set<std::string> drive{};        // of the first pair
+  std::optional<OtherLanding> lands{};  // so high that the recovery keeps all that it does not
 };
+// What of a pair is mended by a landing that ends higher.
+std::optional<OtherLanding> higher_landing(const std::string& recovery,
+                                           const analysis::Entry& entry) {
+  if (!entry.change || !entry.change->lands) return std::nullopt;
+  return OtherLanding{recovery, entry.change->lands->second};
+}
 WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix,
                            const protocol::Arbitration& known) {
   const auto& monitors = s.decision.monitors;
@@ -296,9 +303,13 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
       const ir::RecoveryKind back = ir::last_step(monitors[j].recovery).kind;
       const bool stands = back == ir::RecoveryKind::brake || !monitors[j].hold_reason.empty();
       if (stands) continue;
+      auto lands = higher_landing(asked.name, matrix[i][j]);
       if (!found.why.empty()) {
         found.repair.clear();
-        return found;
+        const bool both = found.lands && lands && found.lands->recovery == lands->recovery;
+        if (both) lands->height_mm = std::max(lands->height_mm, found.lands->height_mm);
+        found.lands = both ? std::move(lands) : std::nullopt;
+        continue;
       }
       const std::string& why = matrix[i][j].why;
       found = {"as long as inputs ask for " + quoted(asked.name) + ", it and " +
@@ -307,7 +318,8 @@ WhileTold turns_while_told(const Subject& s, const analysis::Arbitration& matrix
                         ? quoted(asked.name) + " is not shown to keep " + quoted(monitors[j].name)
                         : why),
                matrix[i][j].help,
-               {asked.name, monitors[j].recovery.name}};
+               {asked.name, monitors[j].recovery.name},
+               std::move(lands)};
     }
   }
   return found;
@@ -520,7 +532,11 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   }
   if (WhileTold told = turns_while_told(s, matrix, known); !told.why.empty()) {
     o.because = std::move(told.why);
-    o.repair = std::move(told.repair);
+    if (told.lands && s.is_read) {
+      o.mends = {*std::move(told.lands)};
+    } else {
+      o.repair = std::move(told.repair);
+    }
     o.in_turns = turns_among(s.decision, told.drive);
     o.unmet = asked_by_inputs(s.decision, told.drive);
     return o;

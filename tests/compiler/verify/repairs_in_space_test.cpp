@@ -92,6 +92,30 @@ TEST_F(RepairsInSpace, ALandingAboveItsLimitIsToldHowLowItHasToEnd) {
   EXPECT_TRUE(works(page("10 m", limit + " or r.speed <= 2 m/s")));
 }
 
+// A landing for which inputs ask, and which leaves two zones, has to end above what both leave out.
+TEST_F(RepairsInSpace, ALandingThatInputsAskForEndsAboveAllThatIsKeptOff) {
+  const auto page = [](const std::string& land) {
+    return "spec hut;\n"
+           "zone air = prism (rectangle (0 m, 0 m) to (60 m, 40 m)) from 0 m to 40 m;\n"
+           "zone hut = prism (rectangle (25 m, 15 m) to (35 m, 25 m)) from 0 m to 6 m;\n"
+           "zone away = air - grow(hut, 1 m);\n" +
+           std::string(a_quad) + "input link : bool max_age 1 s;\n" +
+           "controller down : safe for Quad = land to " + land +
+           " speed 0.5 m/s;\n"
+           "controller off : safe for Quad = retreat within away speed 0.5 m/s;\n"
+           "monitor lost for r : Quad { \"R1\" always once[0 s, 2 s] link; recover down; }\n"
+           "monitor walls for r : Quad { \"R2\" always r inside air; recover off; }\n"
+           "monitor roof for r : Quad { \"R3\" always distance(r, hut) >= 1 m; recover off; }\n"
+           "decision fly for Quad { advanced policy; period 50 ms;"
+           " priority roof > walls > lost; }\n";
+  };
+  const Outcome o = verified(page("0.5 m"));
+  EXPECT_NE(o.status, exit_clean) << o.out << o.err;
+  const double least = between(o.out, "what works: `land to ", " m` in `down` works");
+  EXPECT_TRUE(works(page(m(least)))) << least;
+  EXPECT_FALSE(works(page(m(0.95 * least)))) << least;
+}
+
 // Who goes back on its height and who lands take over from each other where neither has what the
 // other one asks: in a zone up to the limit the former leads down to it.
 TEST_F(RepairsInSpace, AZoneUpToALimitOfHeightIsOffered) {
