@@ -181,8 +181,8 @@ class Deriver {
       monitor(change.follows->first).recover = monitor(change.follows->second).recover;
     }
     if (change.lands) {
-      lands_at(spec_.controllers[index(*monitor(change.lands->first).recover)],
-               Rational(static_cast<long>(change.lands->second), 1000));
+      sema::land_at(spec_.controllers[index(*monitor(change.lands->first).recover)],
+                    Rational(static_cast<long>(change.lands->second), 1000));
     }
     // another one for that monitor alone: others may recover by the same
     if (change.stands) {
@@ -194,16 +194,6 @@ class Deriver {
     }
     if (change.held) kind.energy->held.value = *change.held;
     if (change.detour) kind.energy->detour.value = *change.detour;
-  }
-  // The landing that a recovery ends with.
-  static void lands_at(sema::Controller& recovery, const Rational& height) {
-    if (auto* const sequence = std::get_if<sema::Sequence>(&recovery.implementation)) {
-      if (auto* const land = std::get_if<sema::Land>(&sequence->steps.back().what)) {
-        land->height.value = height;
-      }
-    } else if (auto* const land = std::get_if<sema::Land>(&recovery.implementation)) {
-      land->height.value = height;
-    }
   }
   // For numbers to be tried in, too; none in what is tried itself.
   Trials* trials() { return offers_ ? &trials_ : nullptr; }

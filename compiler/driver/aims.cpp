@@ -152,33 +152,33 @@ std::vector<Scenario> aimed_at_turns(const Obligation& o, const std::vector<std:
   return all;
 }
 
-// Robots that hold beside each other: who waits for whom is all there is to it. Measured as they
-// are, and, of those of which only some wait, with all adversaries; or errors have to last.
+// Robots that hold beside each other: who waits for whom is all there is to it. From each start
+// they are first measured as they are; from some only errors have them wait: then with all
+// adversaries, and nothing is lost of what they tell each other. One over the other they wait only
+// where errors last.
 std::vector<Scenario> aimed_at_lock_ups(const Obligation& o,
                                         const std::vector<std::string>& robots) {
   constexpr int kept_s = 120;  // in which each of them has looked for a way ten times
   constexpr int exact_runs = 4, runs = 24;
   const bool errors_last = o.lock_up->errors_last;
-  std::vector<Scenario> all;
+  std::vector<Scenario> all, noisy;
   for (const verify::Start& start : o.starts) {
     Scenario there = Scenario::object();
     there["about"] = o.monitor;
-    there["runs"] = errors_last ? runs : exact_runs;
-    there["adversary"] = errors_last ? "lasting-errors" : "bang-bang";
-    if (!errors_last) there["noise"] = "none";
     there["return_within_s"] = kept_s;
     there["duration_s"] = kept_s + 1;
     there["starts"] = starts_at(o, start, robots);
+    Scenario more = there;
+    there["runs"] = errors_last ? runs : exact_runs;
+    there["adversary"] = errors_last ? "lasting-errors" : "bang-bang";
+    if (!errors_last) there["noise"] = "none";
     all.push_back(std::move(there));
+    if (errors_last) continue;
+    more["runs"] = runs;
+    more["fault_every_s"] = 0;
+    noisy.push_back(std::move(more));
   }
-  if (errors_last) return all;
-  for (std::size_t k = 0; k < o.starts.size(); ++k) {
-    Scenario there = all[k];
-    there["runs"] = runs;
-    there.erase("adversary");
-    there.erase("noise");
-    all.push_back(std::move(there));
-  }
+  std::ranges::move(noisy, std::back_inserter(all));
   return all;
 }
 

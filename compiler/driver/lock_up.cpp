@@ -42,7 +42,7 @@ bool locks_up(const std::string& trace, std::size_t waiting, const verify::LockU
     int mode = 0;
     words >> word;
     kept = kept || line.starts_with("end not given back: ");
-    // but where they begin
+    // what is violated where a run begins is nothing that they have done
     safe = safe || line == "end no violation" ||
            (line.starts_with("end violation of ") && line.find(" at_us 0 ") != std::string::npos);
     if (word == "decide" && words >> robot >> mode) {

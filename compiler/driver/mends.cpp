@@ -103,6 +103,8 @@ class Mending {
       const std::string text = text_of(*c_.spec, *first);
       const Rewriting written(*c_.spec, *first);
       for (std::size_t k = 0; k < more.size() && tries < tries_most; ++k) {
+        // of a number that is looked for no more than a bound is known
+        if (is_sought(more[k])) continue;
         const std::string besides = text_of(*c_.spec, more[k]);
         if (besides.empty()) continue;
         ++tries;
@@ -122,10 +124,14 @@ class Mending {
     std::string all;
     for (const Mend& mend : mends) {
       std::optional<Mend> found;
-      if (const auto* most = std::get_if<verify::LessApart>(&mend)) found = most_that_works(*most);
-      if (const auto* most = std::get_if<verify::RoomToPass>(&mend))
-        found = least_that_works(*most);
-      if (found) all += (all.empty() ? "" : ", or ") + text_of(*c_.spec, *found) + " works";
+      if (const auto* less = std::get_if<verify::LessApart>(&mend)) {
+        found = most_that_works(*less);
+      } else if (const auto* more = std::get_if<verify::RoomToPass>(&mend)) {
+        found = least_that_works(*more);
+      }
+      if (!found) continue;
+      all += (all.empty() ? "" : ", or ") + text_of(*c_.spec, *found) + " works";
+      if (is_spent()) all += " (the time was up before nearer numbers were tried)";
     }
     return all;
   }
@@ -141,8 +147,8 @@ class Mending {
     if (low_mm == 0) return std::nullopt;
     return verify::LessApart{asked.monitor, low_mm};
   }
-  // The least room with which it is shown, to less than five per cent of it, and of what is tried
-  // the first, as a large zone takes long; none: it takes more.
+  // The least room with which it is shown, to less than a twentieth of it; none: no more is tried.
+  // From little on, as a large zone takes long.
   std::optional<Mend> least_that_works(const verify::RoomToPass& most) {
     constexpr std::int64_t share = 25, first_part = 16;
     const auto works = [&](std::int64_t by_mm) {
@@ -152,7 +158,7 @@ class Mending {
     std::int64_t low_mm = 0, high_mm = std::max<std::int64_t>(most.by_mm / first_part, 1);
     while (!works(high_mm)) {
       low_mm = high_mm, high_mm *= 2;
-      if (high_mm > most.by_mm) return std::nullopt;
+      if (high_mm > most.by_mm || is_spent()) return std::nullopt;
     }
     while (high_mm - low_mm > high_mm / share + 1) {
       const std::int64_t middle_mm = low_mm + (high_mm - low_mm) / 2;
@@ -160,8 +166,11 @@ class Mending {
     }
     return verify::RoomToPass{most.zone, high_mm};
   }
+  [[nodiscard]] bool is_spent() const {
+    return left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most;
+  }
   std::optional<Report> with(const Mend& mend) {
-    if (left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most) return std::nullopt;
+    if (is_spent()) return std::nullopt;
     const Rewriting written(*c_.spec, mend);
     auto built = written ? build_anew(*c_.spec, c_.sources) : std::nullopt;
     if (!built) return std::nullopt;

@@ -195,11 +195,12 @@ std::string text(const sema::Spec&, const SlowerRecovery& slower) {
          " m/s";
 }
 Undo rewritten(sema::Spec& spec, const OtherLanding& other) {
-  return changed(spec, other.recovery, [&](auto& each) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(each)>, sema::Land>) {
-      each.height.value = analysis::metres_of(other.height_mm);
-    }
-  });
+  sema::Controller* const controller = named(spec.controllers, other.recovery);
+  if (controller == nullptr) return {};
+  auto copy = controller->implementation;
+  Undo undo = exchanged(controller->implementation, std::move(copy));
+  sema::land_at(*controller, analysis::metres_of(other.height_mm));
+  return undo;
 }
 // "`land to 4.2 m` in `down`"
 std::string text(const sema::Spec&, const OtherLanding& other) {
@@ -303,13 +304,14 @@ Undo rewritten(sema::Spec& spec, const RoomToPass& more) {
   }
   return exchanged(points, std::move(wider));
 }
-// "a width of `aisle` of 4.9 m"
+// "`aisle` wider by 0.95 m on both of its long sides, 4.9 m in all,"
 std::string text(const sema::Spec& spec, const RoomToPass& more) {
-  const auto& zone = *std::ranges::find(spec.zones, more.zone, &sema::Zone::name);
-  const auto of = across(zone);
+  const auto zone = std::ranges::find(spec.zones, more.zone, &sema::Zone::name);
+  const auto of = zone != spec.zones.end() ? across(*zone) : std::nullopt;
   if (!of) return "";
-  return "a width of `" + more.zone + "` of " +
-         metres(of->high - of->low + analysis::metres_of(2 * more.by_mm));
+  const Rational by = analysis::metres_of(more.by_mm);
+  return "`" + more.zone + "` wider by " + metres(by) + " on both of its long sides, " +
+         metres(of->high - of->low + 2 * by) + " in all,";
 }
 Undo rewritten(sema::Spec& spec, const LongerWait& longer) {
   sema::RobotKind* const kind = named(spec.kinds, longer.kind);

@@ -38,4 +38,16 @@ void change_each(Controller& recovery, const Change& change) {
   }
 }
 
+// The landing that a recovery ends with, if it does, ends at that height, in metres.
+inline void land_at(Controller& recovery, const Rational& height) {
+  const auto land_there = [&](auto& what) {
+    if (auto* const land = std::get_if<Land>(&what)) land->height.value = height;
+  };
+  if (auto* const sequence = std::get_if<Sequence>(&recovery.implementation)) {
+    land_there(sequence->steps.back().what);
+  } else {
+    land_there(recovery.implementation);
+  }
+}
+
 }  // namespace rtac::sema

@@ -151,12 +151,13 @@ class LockUps {
     return best(std::move(found));
   }
   // Two beside a wall, the first one at its end: either one is between the other one and its way
-  // out. Off it by so much that each of them is led back to where it began and finds it, and
-  // as near to each other as can be, or both at ends, unless they are given back there; or nearer,
-  // at a wall that is too short for what is asked. The shortest walls first.
+  // out. Not quite at the wall, where whoever is in the way of its own fence is led off it. As near
+  // to each other as can be, with room for the simulator's rounding; or both at ends, unless they
+  // are given back there; or nearer, at a wall that is too short for what is asked. The shortest
+  // walls first.
   [[nodiscard]] std::vector<Start> beside_walls(double kept_mm, double bodies_mm) const {
     constexpr double beside_mm = 35, spare_mm = 20;
-    constexpr std::size_t starts_most = 6;
+    constexpr std::size_t found_most = 4;
     std::vector<std::pair<double, Start>> found;
     for (const auto& [a, b] : begins_.edges()) {
       const double length_mm = norm(b - a), farthest_mm = length_mm - 2 * beside_mm;
@@ -164,15 +165,16 @@ class LockUps {
       const P along = (1 / length_mm) * (b - a);
       for (const P inwards : {P{along.y, -along.x}, P{-along.y, along.x}}) {
         const P first = a + beside_mm * (along + inwards), last = b + beside_mm * (inwards - along);
-        if (!begins_.contains(first) || !begins_.contains(last)) continue;
-        if (farthest_mm < kept_mm - spare_mm) add_two(first, last, length_mm, found);
         const P step = (gap_mm_ + spare_mm) * along;
-        if (farthest_mm < norm(step)) continue;
+        const bool is_short = farthest_mm < norm(step);
+        if (is_short) add_two(first, last, length_mm, found);
+        if (is_short) continue;
         add_two(first, first + step, length_mm, found);
         add_two(last, last - step, length_mm, found);
+        if (farthest_mm < kept_mm - spare_mm) add_two(first, last, length_mm, found);
       }
     }
-    return best(std::move(found), starts_most);
+    return best(std::move(found), found_most);
   }
   // The first one at the middle of a wall, which it is led away from, and the others in a row
   // before it. The longest walls first.
@@ -204,7 +206,9 @@ class LockUps {
   [[nodiscard]] P step_along(P from, P to) const {
     return (gap_mm_ / norm(to - from)) * (to - from);
   }
+  // If both places are within where they may begin.
   void add_two(P first, P other, double rank, std::vector<std::pair<double, Start>>& to) const {
+    if (!begins_.contains(first) || !begins_.contains(other)) return;
     to.emplace_back(rank, Start{level_.mm_of(first), {level_.mm_of(other)}});
   }
   // As many of the others as there is room for, by turns in each row.

@@ -162,10 +162,10 @@ std::string more_than_two(const Subject& s, std::size_t k) {
   return "";
 }
 
-// Why of two robots that hold one may find no way, and from where; "": one always does.
+// Why of two robots that hold one may find no way, and about where; "": one always does.
 struct NoWay {
   std::string why;
-  std::vector<Start> starts{};
+  std::optional<Start> stuck{};
 };
 Start start_of(const geometry::Parting& stuck) {
   return {{stuck.one.x_mm, stuck.one.y_mm}, {{stuck.other.x_mm, stuck.other.y_mm}}};
@@ -186,7 +186,7 @@ std::optional<Start> near_start(const Subject& s, const ir::Monitor& m,
   }
   geometry::PartingQuery near = query;
   near.apart_mm = static_cast<std::int32_t>(std::max<std::int64_t>(near_mm, 0));
-  // no run begins where the property is false, or where a body sticks out
+  // where the property holds, and no body sticks out
   const std::int64_t gap_mm = analysis::sure_separation_mm(m.property, s.decision.facts.params) +
                               2 * s.decision.body.radius_mm + spare_mm;
   near.nearest_mm = std::max(near.nearest_mm, static_cast<std::int32_t>(gap_mm));
@@ -208,18 +208,26 @@ NoWay no_way(const Subject& s, const ir::Monitor& m, const geometry::PartingQuer
             "that one of two robots finds a way out of the other's is not shown"};
   }
   if (found.how == geometry::Parting::How::stuck) {
-    NoWay none{"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
-               " in " + quoted(zone.name) + " may both find no way to a distance of " +
-               metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one"};
-    if (const auto near = near_start(s, m, query)) none.starts.push_back(*near);
-    none.starts.push_back(start_of(found));
-    if (!s.decision.body.in_space) {
-      std::ranges::move(lock_ups_beside_walls(s, yield, kept_mm(s.decision, m)),
-                        std::back_inserter(none.starts));
-    }
-    return none;
+    return {"robots that hold near " + place_of(found.one) + " and " + place_of(found.other) +
+                " in " + quoted(zone.name) + " may both find no way to a distance of " +
+                metres(yield.pass_gap_mm) + " that leads nowhere nearer to the other one",
+            start_of(found)};
   }
   return {};
+}
+
+// From where a run may show that two wait for each other.
+std::vector<Start> starts_of_two(const Subject& s, const ir::Monitor& m,
+                                 const geometry::PartingQuery& query, const NoWay& none) {
+  const ir::Recovery& yield = ir::last_step(m.recovery);
+  if (s.decision.body.in_space) return lock_ups(s, yield, nullptr);
+  std::vector<Start> starts;
+  if (!none.stuck) return starts;
+  if (const auto near = near_start(s, m, query)) starts.push_back(*near);
+  starts.push_back(*none.stuck);
+  std::ranges::move(lock_ups_beside_walls(s, yield, kept_mm(s.decision, m)),
+                    std::back_inserter(starts));
+  return starts;
 }
 
 bool speaks_of_inputs(const ir::Block& block) {
@@ -330,7 +338,7 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
   o.repair = "`hold when violated \"why\"` accepts that they may wait for each other";
   const geometry::PartingQuery query = query_of(s, s.decision.monitors[k]);
   const std::string more = more_than_two(s, k);
-  NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
+  const NoWay none = more.empty() ? no_way(s, s.decision.monitors[k], query) : NoWay{};
   const auto [other, told] = drives_instead(s, k);
   if (other != nullptr) return beside(s, yield, *other, more, none, std::move(o));
   if (!more.empty()) return of_many(s, yield, more, std::move(o));
@@ -348,8 +356,8 @@ Obligation makes_room(const Subject& s, std::size_t k, Obligation o) {
     if (s.is_read && asked_mm > 1) o.mends = {LessApart{o.monitor, asked_mm}};
     // in a zone that much wider one may pass on either side of the other one
     if (s.is_read) o.mends.emplace_back(RoomToPass{zone.name, yield.pass_gap_mm});
-    if (s.decision.body.in_space) none.starts = lock_ups(s, yield, nullptr);
-    return unless_locked(s, yield, std::move(none.starts), std::move(o));
+    return unless_locked(s, yield, starts_of_two(s, s.decision.monitors[k], query, none),
+                         std::move(o));
   }
   if (const std::int64_t us = heard_by_us(s); s.decision.body.hears_age_us < us) {
     o.because =

@@ -274,11 +274,12 @@ Turns turns_among(const ir::Decision& d, const std::set<std::string>& names) {
 // leads back in, and gives the robot back to it, as often as it comes there: the model takes inputs
 // to let go at some time. Of a charge the same is a robot that waits where it is charged. "": none.
 struct WhileTold {
-  std::string why, repair;              // of the first pair; of all, where one is enough
+  std::string why;
+  std::string repair;                   // of the first pair, if it is the only one
   std::set<std::string> drive{};        // of the first pair
-  std::optional<OtherLanding> lands{};  // so high that the recovery keeps all that it does not
+  std::optional<OtherLanding> lands{};  // so high that the recovery keeps what it leaves now
 };
-// What of a pair is mended by a landing that ends higher.
+// Of a pair a landing that ends higher, as what it leaves lies below, and keeps it there.
 std::optional<OtherLanding> higher_landing(const std::string& recovery,
                                            const analysis::Entry& entry) {
   if (!entry.change || !entry.change->lands) return std::nullopt;
@@ -532,6 +533,7 @@ Obligation switches_well(const Subject& s, const analysis::Arbitration& matrix,
   }
   if (WhileTold told = turns_while_told(s, matrix, known); !told.why.empty()) {
     o.because = std::move(told.why);
+    // which is tried, and else nothing is said of it
     if (told.lands && s.is_read) {
       o.mends = {*std::move(told.lands)};
     } else {

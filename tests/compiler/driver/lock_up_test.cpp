@@ -35,8 +35,10 @@ TEST(LockUp, NobodyElseDrivesNearBy) {
   EXPECT_FALSE(shows(run(1, 3.4, 0, "end no violation")));
   EXPECT_TRUE(shows(run(1, 3.4, 1, "end no violation")));
 }
-TEST(LockUp, NothingIsViolatedAndNobodyGivenBack) {
+TEST(LockUp, NothingIsViolatedButWhereTheyBeginAndNobodyGivenBack) {
+  EXPECT_TRUE(shows(run(1, 9, 1, "end violation of apart by a at_us 0 least -0x1p-3")));
   EXPECT_FALSE(shows(run(1, 9, 1, "end violation of apart by a at_us 7 least -0x1p-3")));
+  EXPECT_FALSE(shows(run(1, 9, 1, "end violation of apart by a at_us 10 least -0x1p-3")));
   std::string returned = run(1, 9, 1, "end no violation");
   returned.erase(returned.find("end not given back"), 1);
   EXPECT_FALSE(shows(returned));

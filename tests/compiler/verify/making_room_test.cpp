@@ -91,7 +91,7 @@ TEST_F(MakingRoom, TheLeastWidthThatLeavesAWayIsOffered) {
                       std::to_string(std::lround(wide_m * 1000)) + " mm)");
   };
   const std::string repair = room(lane(1.8))["repair"];
-  const std::string before = "or a width of `floor` of ", after = " m works";
+  const std::string before = "long sides, ", after = " m in all, works";
   const std::size_t at = repair.find(before), end = repair.find(after);
   ASSERT_NE(at, std::string::npos) << repair;
   ASSERT_NE(end, std::string::npos) << repair;
