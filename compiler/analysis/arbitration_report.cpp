@@ -137,6 +137,7 @@ class Report {
                                          [&](std::size_t j) { return row[j].help == first.help; });
     if (all && (!first.change || works(*first.change, breach, found, at))) offer(first.help);
     offer(slower(breach, found[at]));
+    if (text.empty()) offer(needed_elsewhere(breach));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
       accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") +
@@ -189,6 +190,14 @@ class Report {
       return "";
     }
     return within_what_is(all.parts);
+  }
+  // Where none of them works alone: the first one that keeps what it breaks.
+  [[nodiscard]] std::string needed_elsewhere(const Breach& breach) const {
+    if (trials_ == nullptr) return "";
+    const auto& first = all_[breach.recovery][breach.monitors.front()].within;
+    const bool one = breach.monitors.size() == 1 && !first.empty();
+    const std::string zone = written_as(*trials_, one ? first.back().parts : in_all(breach).parts);
+    return zone.empty() ? "" : "a recovery within another zone " + needed_besides(trials_, zone);
   }
   [[nodiscard]] std::string within_what_is(const std::vector<ZonePart>& parts) const {
     const std::string text = written_as(*trials_, parts);

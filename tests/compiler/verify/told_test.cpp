@@ -378,7 +378,7 @@ decision fly for Quad { advanced policy; period 50 ms; priority walls > link; }
   };
   const Outcome low = verified(flight("1.9 m"), {"--format", "json"});
   EXPECT_EQ(statuses(low.out, "switching", ""), Statuses{"unknown"}) << low.out;
-  const std::string works = "m` works", to = "`land to ";
+  const std::string works = "m` in `down` works", to = "`land to ";
   const std::size_t end = low.out.find(works), from = low.out.rfind(to, end) + to.size();
   ASSERT_NE(end, std::string::npos) << low.out;
   const std::string metres = low.out.substr(from, end - from);
