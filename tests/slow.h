@@ -11,8 +11,8 @@
 namespace rtac::test {
 
 // What it names of the tests of a program, and the program does not have: a test that has another
-// name now would run every time. `label`: what the names of the program's tests begin with in
-// ctest.
+// name now would run every time. And what no program looks for. `label`: what the names of the
+// program's tests begin with in ctest.
 inline std::set<std::string> slow_tests_gone(const std::string& label) {
   std::set<std::string> gone;
   std::ifstream list(std::string(RTAC_SOURCE_DIR) + "/tests/slow.txt");

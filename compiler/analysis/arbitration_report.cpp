@@ -137,7 +137,7 @@ class Report {
                                          [&](std::size_t j) { return row[j].help == first.help; });
     if (all && (!first.change || works(*first.change, breach, found, at))) offer(first.help);
     offer(slower(breach, found[at]));
-    if (text.empty()) offer(needed_elsewhere(breach));
+    if (text.empty()) offer(needed_elsewhere(breach, found[at]));
     std::string accepted;
     for (const std::size_t j : breach.monitors) {
       accepted += (accepted.empty() ? "" : " and ") + std::string("`acknowledge ") +
@@ -171,33 +171,35 @@ class Report {
   // The first zone for the recovery with which it breaks none of them.
   [[nodiscard]] std::string elsewhere(const Breach& breach, const diag::Diagnostic& of) const {
     if (trials_ == nullptr) return "";  // nobody reads it
-    const std::string& recovery = decision_.monitors[breach.recovery].recovery.name;
-    const SourceRange& own = spec_[from_.priority[breach.recovery]].range;
     for (const std::size_t j : breach.monitors) {
       for (const Within& each : all_[breach.recovery][j].within) {
-        const auto works = works_within(*trials_, fault_of(of.code, of.range), own, recovery,
-                                        module_, each.from, each.parts);
-        if (!works.value_or(false)) continue;
+        if (!works_elsewhere(each, breach, of).value_or(false)) continue;
         const std::string text =
             each.help.empty() ? within_what_is(each.parts) : each.help + " works";
         if (!text.empty()) return text;
       }
     }
     const Within all = in_all(breach);
-    if (all.parts.empty() || !works_within(*trials_, fault_of(of.code, of.range), own, recovery,
-                                           module_, all.from, all.parts)
-                                  .value_or(false)) {
-      return "";
-    }
+    if (all.parts.empty() || !works_elsewhere(all, breach, of).value_or(false)) return "";
     return within_what_is(all.parts);
   }
-  // Where none of them works alone: the first one that keeps what it breaks.
-  [[nodiscard]] std::string needed_elsewhere(const Breach& breach) const {
+  // Where none of them works alone: the narrowest one that keeps what it breaks, if it was tried.
+  [[nodiscard]] std::string needed_elsewhere(const Breach& breach,
+                                             const diag::Diagnostic& of) const {
     if (trials_ == nullptr) return "";
     const auto& first = all_[breach.recovery][breach.monitors.front()].within;
     const bool one = breach.monitors.size() == 1 && !first.empty();
-    const std::string zone = written_as(*trials_, one ? first.back().parts : in_all(breach).parts);
+    const Within needed = one ? first.back() : in_all(breach);
+    if (needed.parts.empty() || !works_elsewhere(needed, breach, of)) return "";
+    const std::string zone = written_as(*trials_, needed.parts);
     return zone.empty() ? "" : "a recovery within another zone " + needed_besides(trials_, zone);
+  }
+  // nullopt: it cannot be tried
+  [[nodiscard]] std::optional<bool> works_elsewhere(const Within& within, const Breach& breach,
+                                                    const diag::Diagnostic& of) const {
+    return works_within(
+        *trials_, fault_of(of.code, of.range), spec_[from_.priority[breach.recovery]].range,
+        decision_.monitors[breach.recovery].recovery.name, module_, within.from, within.parts);
   }
   [[nodiscard]] std::string within_what_is(const std::vector<ZonePart>& parts) const {
     const std::string text = written_as(*trials_, parts);

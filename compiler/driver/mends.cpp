@@ -124,6 +124,7 @@ class Mending {
     std::string all;
     for (const Mend& mend : mends) {
       std::optional<Mend> found;
+      is_cut_ = false;
       if (const auto* less = std::get_if<verify::LessApart>(&mend)) {
         found = most_that_works(*less);
       } else if (const auto* more = std::get_if<verify::RoomToPass>(&mend)) {
@@ -131,7 +132,7 @@ class Mending {
       }
       if (!found) continue;
       all += (all.empty() ? "" : ", or ") + text_of(*c_.spec, *found) + " works";
-      if (is_spent()) all += " (the time was up before nearer numbers were tried)";
+      if (is_cut_) all += " (the time was up before nearer numbers were tried)";
     }
     return all;
   }
@@ -170,7 +171,8 @@ class Mending {
     return left_us_ <= 0 || geometry::looks() - c_.looks_before > looks_most;
   }
   std::optional<Report> with(const Mend& mend) {
-    if (is_spent()) return std::nullopt;
+    is_cut_ = is_spent();
+    if (is_cut_) return std::nullopt;
     const Rewriting written(*c_.spec, mend);
     auto built = written ? build_anew(*c_.spec, c_.sources) : std::nullopt;
     if (!built) return std::nullopt;
@@ -232,6 +234,7 @@ class Mending {
   const Key key_;
   const std::set<Key> refuted_, open_;
   bool by_runs_ = false;  // what was built last was played as well
+  bool is_cut_ = false;   // there was no time for what was to be built last
 };
 
 }  // namespace

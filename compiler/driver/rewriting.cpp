@@ -171,7 +171,7 @@ std::string text(const sema::Spec&, const SameRecovery& same) {
 
 // Of a recovery that is built in, as nobody can say what another one does.
 template <class Change>
-Undo changed(sema::Spec& spec, const std::string& recovery, const Change& change) {
+Undo changed_whole(sema::Spec& spec, const std::string& recovery, const Change& change) {
   sema::Controller* const controller = named(spec.controllers, recovery);
   if (controller == nullptr ||
       std::holds_alternative<sema::ExternController>(controller->implementation)) {
@@ -179,8 +179,14 @@ Undo changed(sema::Spec& spec, const std::string& recovery, const Change& change
   }
   auto copy = controller->implementation;
   Undo undo = exchanged(controller->implementation, std::move(copy));
-  sema::change_each(*controller, change);
+  change(*controller);
   return undo;
+}
+// Each of its steps.
+template <class Change>
+Undo changed(sema::Spec& spec, const std::string& recovery, const Change& change) {
+  return changed_whole(spec, recovery,
+                       [&](sema::Controller& whole) { sema::change_each(whole, change); });
 }
 Undo rewritten(sema::Spec& spec, const SlowerRecovery& slower) {
   return changed(spec, slower.recovery, [&](auto& each) {
@@ -195,12 +201,9 @@ std::string text(const sema::Spec&, const SlowerRecovery& slower) {
          " m/s";
 }
 Undo rewritten(sema::Spec& spec, const OtherLanding& other) {
-  sema::Controller* const controller = named(spec.controllers, other.recovery);
-  if (controller == nullptr) return {};
-  auto copy = controller->implementation;
-  Undo undo = exchanged(controller->implementation, std::move(copy));
-  sema::land_at(*controller, analysis::metres_of(other.height_mm));
-  return undo;
+  return changed_whole(spec, other.recovery, [&](sema::Controller& whole) {
+    sema::land_at(whole, analysis::metres_of(other.height_mm));
+  });
 }
 // "`land to 4.2 m` in `down`"
 std::string text(const sema::Spec&, const OtherLanding& other) {

@@ -151,10 +151,9 @@ class LockUps {
     return best(std::move(found));
   }
   // Two beside a wall, the first one at its end: either one is between the other one and its way
-  // out. Not quite at the wall, where whoever is in the way of its own fence is led off it. As near
-  // to each other as can be, with room for the simulator's rounding; or both at ends, unless they
-  // are given back there; or nearer, at a wall that is too short for what is asked. The shortest
-  // walls first.
+  // out. Somewhat off the wall: from right beside it no run has shown it. As near to each other as
+  // is asked, and a little more; or both at ends, unless they are given back there; or nearer, at a
+  // wall that is too short for what is asked. The shortest walls first.
   [[nodiscard]] std::vector<Start> beside_walls(double kept_mm, double bodies_mm) const {
     constexpr double beside_mm = 35, spare_mm = 20;
     constexpr std::size_t found_most = 4;
@@ -166,11 +165,10 @@ class LockUps {
       for (const P inwards : {P{along.y, -along.x}, P{-along.y, along.x}}) {
         const P first = a + beside_mm * (along + inwards), last = b + beside_mm * (inwards - along);
         const P step = (gap_mm_ + spare_mm) * along;
-        const bool is_short = farthest_mm < norm(step);
-        if (is_short) add_two(first, last, length_mm, found);
-        if (is_short) continue;
-        add_two(first, first + step, length_mm, found);
-        add_two(last, last - step, length_mm, found);
+        if (farthest_mm >= norm(step)) {
+          add_two(first, first + step, length_mm, found);
+          add_two(last, last - step, length_mm, found);
+        }
         if (farthest_mm < kept_mm - spare_mm) add_two(first, last, length_mm, found);
       }
     }

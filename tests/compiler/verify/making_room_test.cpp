@@ -86,12 +86,13 @@ TEST_F(MakingRoom, TheLargestDistanceThatLeavesAWayIsOffered) {
 }
 // Of a rectangle both of its long sides give way.
 TEST_F(MakingRoom, TheLeastWidthThatLeavesAWayIsOffered) {
-  const auto lane = [](double wide_m) {
-    return halls_with("rectangle (0 m, 0 m) to (9 m, " +
-                      std::to_string(std::lround(wide_m * 1000)) + " mm)");
+  const auto lane = [](double by_m) {
+    const long by_mm = std::lround(by_m * 1000);
+    return halls_with("rectangle (0 m, " + std::to_string(-by_mm) + " mm) to (9 m, " +
+                      std::to_string(1800 + by_mm) + " mm)");
   };
-  const std::string repair = room(lane(1.8))["repair"];
-  const std::string before = "long sides, ", after = " m in all, works";
+  const std::string repair = room(lane(0))["repair"];
+  const std::string before = "`floor` wider by ", after = " m on both of its long sides, ";
   const std::size_t at = repair.find(before), end = repair.find(after);
   ASSERT_NE(at, std::string::npos) << repair;
   ASSERT_NE(end, std::string::npos) << repair;
@@ -100,7 +101,7 @@ TEST_F(MakingRoom, TheLeastWidthThatLeavesAWayIsOffered) {
   EXPECT_NE(room(lane(0.95 * least))["status"], "proved") << repair;
   const std::string of_another = room(halls_with(
       "polygon [(0 m, 0 m), (9 m, 0 m), (9 m, 1.8 m), (5 m, 1.9 m), (0 m, 1.8 m)]"))["repair"];
-  EXPECT_EQ(of_another.find(" of `floor` "), std::string::npos) << of_another;
+  EXPECT_EQ(of_another.find("wider by"), std::string::npos) << of_another;
 }
 // Between a wall and a pillar they may stand square to the lane, where neither can come any nearer
 // to its side of it: then one of the two leaves along it, whichever way it is off the other.
