@@ -6,6 +6,7 @@
 
 #include "compiler/analysis/boundless.h"
 #include "compiler/analysis/fences.h"
+#include "compiler/analysis/free_standing.h"
 #include "compiler/analysis/in_sight.h"
 #include "compiler/analysis/limits.h"
 #include "compiler/analysis/liveness.h"
@@ -78,8 +79,8 @@ Region centres(const TakeOver& at, const Standoff& held) {
 }
 Solid centres_in_space(const TakeOver& at, const Standoff& held) {
   const Rational by = metres_of(at.decision.body.radius_mm + held.mm);
-  const Rational upright = at.module[held.zone].has_height() ? by : Rational(0);
-  return at.solid(held.zone).shrink(by, upright);
+  const Solid solid = at.solid(held.zone);
+  return at.module[held.zone].has_height() ? solid.shrink_by_ball(by) : solid.shrink(by, 0);
 }
 
 template <class Zone, class Centres>
@@ -122,11 +123,21 @@ bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres, std
   return inside && inside->contains(centres);
 }
 
-// In space: where bodies may be that do not lie in the zone.
+// In space: where bodies may be that do not lie in the zone. Such a body reaches into what is kept
+// beside it.
 Solid held_outside(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
   const Rational by = metres_of(body_in_mm(at));
   const Rational upright = at.module[zone].has_height() ? by : Rational(0);
-  return where_held<Solid>(at, held, centres_in_space).subtract(at.solid(zone).shrink(by, upright));
+  const Solid in = at.solid(zone);
+  const Solid outside =
+      where_held<Solid>(at, held, centres_in_space).subtract(in.shrink(by, upright));
+  if (outside.empty()) return outside;
+  const auto whole = [](const TakeOver& from, const Standoff& each) {
+    return from.solid(each.zone);
+  };
+  const Rational radius = metres_of(at.decision.body.radius_mm + offsets_round_mm);
+  const Solid beside = where_held<Solid>(at, held, whole).subtract(in).grow(radius, radius);
+  return outside.intersect(beside);
 }
 
 bool all_within(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
@@ -279,6 +290,16 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
          geometry::Entry::How::within;
 }
 
+// In space, past blocks that stand free. Each of the fence is as far off as is asked where the
+// robot takes over.
+bool enters_past_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
+  if (least_asked_mm(at, fence) < 0 || !is_of_places(at.decision.monitors[at.judged].property)) {
+    return false;
+  }
+  return leads_off_blocks(at, step, fence, asked_of(at, fence).strictest_mm,
+                          led_in_from(at, step.zone, fence));
+}
+
 // The same of an `or`: the fence is where the centre of a body may be that lies in one of the
 // zones. It asks for no more than what the robot strays from a way, and a body in the zone of the
 // step has all of its clearance but the radius to its boundary.
@@ -316,7 +337,8 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const bool convex = one && std::ranges::all_of(solid.slabs(), [](const geometry::Slab& slab) {
                         return is_convex(slab.region);
                       });
-  return convex || all_within(at, held_by_fence(at, fence), zone);
+  return convex || all_within(at, held_by_fence(at, fence), zone) ||
+         enters_past_blocks(at, step, fence);
 }
 
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,

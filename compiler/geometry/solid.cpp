@@ -178,6 +178,19 @@ Solid Solid::shrink(const Rational& across, const Rational& upright, std::size_t
   return result;
 }
 
+Solid Solid::shrink_by_ball(const Rational& radius) const {
+  if (radius <= 0) return *this;
+  // flat ones, upright ones, and those whose edges lie on the ball, exactly
+  const std::pair<Rational, Rational> cylinders[] = {{Rational(4, 5), Rational(3, 5)},
+                                                     {Rational(3, 5), Rational(4, 5)},
+                                                     {Rational(0), Rational(1)}};
+  Solid all = shrink(radius, 0);
+  for (const auto& [across, upright] : cylinders) {
+    all = all.intersect(shrink(radius * across, radius * upright));
+  }
+  return all;
+}
+
 bool Solid::contains(const Point& p, const Rational& z) const {
   return std::ranges::any_of(slabs_, [&](const Slab& slab) {
     return slab.floor <= z && z <= slab.ceiling && slab.region.contains(p);

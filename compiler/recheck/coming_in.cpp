@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "compiler/recheck/entering.h"
+#include "compiler/recheck/free_blocks.h"
 #include "compiler/recheck/starts.h"
 #include "compiler/recheck/travel.h"
 #include "compiler/sema/templates.h"
@@ -152,13 +153,24 @@ geometry::Solid within(NamedZones& zones, sema::ZoneId zone, const Rational& by)
   return solid->shrink(by, zones.region(zone) != nullptr ? Rational(0) : by);
 }
 
-// Where the centre of a body may be while those of `held` are kept.
+// The same of balls, which come nearer to edges: no place that keeps so far off is left out.
+geometry::Solid kept_by_balls(NamedZones& zones, sema::ZoneId zone, const Rational& by) {
+  const auto solid = zones.solid(zone);
+  if (!solid || zones.region(zone) != nullptr) return within(zones, zone, by);
+  return solid->shrink_by_ball(by);
+}
+
+// Where the centre of a body may be while those of `held` are kept; with no body, or one that may
+// stick out of them, all of these zones.
 geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
-                           const Rational& radius) {
+                           const std::optional<Rational>& radius) {
   geometry::Solid starts = geometry::Solid::everywhere();
   for (const Either& sides : held) {
     geometry::Solid some;
-    for (const Held& each : sides) some = some.unite(within(zones, each.zone, radius + each.gap));
+    for (const Held& each : sides) {
+      some = some.unite(radius ? kept_by_balls(zones, each.zone, *radius + each.gap)
+                               : within(zones, each.zone, 0));
+    }
     starts = starts.intersect(some);
   }
   return starts;
@@ -167,6 +179,17 @@ geometry::Solid where_held(NamedZones& zones, const std::vector<Either>& held,
 // Of numbers that the compiler rounds up to millimetres, m.
 const Rational rounding(4, 1000);
 
+// Where bodies may be that are kept so, and do not lie in the zone: they reach beyond it.
+geometry::Solid held_outside(NamedZones& zones, const std::vector<Either>& held, sema::ZoneId zone,
+                             const Rational& radius) {
+  const Rational body = std::max(Rational(radius - offsets_round), Rational(0));
+  geometry::Solid outside = where_held(zones, held, radius).subtract(within(zones, zone, body));
+  if (outside.empty()) return outside;
+  const Rational reach = radius + offsets_round;
+  return outside.intersect(
+      where_held(zones, held, std::nullopt).subtract(within(zones, zone, 0)).grow(reach, reach));
+}
+
 bool all_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                 const std::vector<Either>& held, sema::ZoneId zone) {
   const auto is_zone = [&](const Either& e) { return e.size() == 1 && e[0].zone == zone; };
@@ -174,8 +197,7 @@ bool all_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
   NamedZones& zones = claims.zones();
   if (!zones.solid(zone)) return false;
   const Rational radius = spec[d.kind].radius.value;
-  const Rational body = std::max(Rational(radius - offsets_round), Rational(0));
-  return where_held(zones, held, radius).subtract(within(zones, zone, body)).empty();
+  return held_outside(zones, held, zone, radius).empty();
 }
 
 }  // namespace
@@ -387,6 +409,75 @@ bool enters_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& cl
 
 }  // namespace
 
+namespace {
+
+// How clear the places are that a recovery which goes back in space looks for first, at most, and
+// how far it strays from its legs. nullopt: that is not known.
+struct LooksFor {
+  Rational clearance, strays;
+};
+std::optional<LooksFor> looks_for(const sema::Spec& spec, const sema::Decision& d,
+                                  const Claims& claims, const sema::Controller& recovery,
+                                  sema::ZoneId zone) {
+  bool loiters = false;
+  Rational fastest = 0;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    fastest = std::max(fastest, sema::speed_of(what).value_or(Rational(0)));
+    const auto moves = sema::moves_of(what);
+    if (!moves || moves->zone != zone) continue;
+    if (std::holds_alternative<sema::Loiter>(what)) {
+      loiters = true;
+    } else if (!std::holds_alternative<sema::Retreat>(what)) {
+      return std::nullopt;
+    }
+  }
+  if (sema::claim_of(recovery)) return std::nullopt;
+  Rational back = 0, gap = 0;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if (m.return_when) return std::nullopt;
+    back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
+    for (const sema::ZoneId each : all_zones(*m.always)) {
+      gap = std::max(gap, gap_of(spec, *m.always, each));
+    }
+  }
+  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
+  const Rational leg = claims.leg_in_space(d, fastest) + gap;
+  const Rational lap(1, 2);
+  return LooksFor{std::max(Rational(back + gap), leg) + n.sway +
+                      (loiters ? Rational(n.sway + 2 * n.position_error + lap) : Rational(0)),
+                  leg - n.radius};
+}
+
+// In space, past blocks that stand free, which are as far off as is asked where it sets out.
+bool enters_past_blocks(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
+                        const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence) {
+  NamedZones& zones = claims.zones();
+  const auto inner = zones.solid(zone), outer = zones.solid(fence);
+  if (zones.region(zone) != nullptr || !inner || !outer) return false;
+  if (least_said(spec, *judged.always, fence) < 0 || speaks_of_more(*judged.always)) return false;
+  FreeRoom room{spec[d.kind].radius.value, gap_of(spec, *judged.always, fence), 0};
+  for (const sema::MonitorId id : d.priority) {
+    if (!spec[id].recover) continue;
+    const sema::Controller& recovery = spec[*spec[id].recover];
+    const auto templates = sema::templates_of(recovery);
+    if (std::ranges::none_of(templates, [&](const sema::Template& what) {
+          const auto moves = sema::moves_of(what);
+          return moves && moves->zone == zone;
+        })) {
+      continue;
+    }
+    const auto led = looks_for(spec, d, claims, recovery, zone);
+    if (!led) return false;
+    room.clearance = std::max(room.clearance, led->clearance);
+  }
+  return beside_free_blocks(
+      *inner, *outer, room,
+      held_outside(zones, held_by_fence(spec, d, judged, fence), zone, room.radius));
+}
+
+}  // namespace
+
 bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                      const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence,
                      const Values& v) {
@@ -394,6 +485,7 @@ bool comes_in_within(const sema::Spec& spec, const sema::Decision& d, Claims& cl
   const bool level = claims.zones().region(zone) != nullptr;
   return claims.zones().convex(fence, level) ||
          all_within(spec, d, claims, held_by_fence(spec, d, judged, fence), zone) ||
+         enters_past_blocks(spec, d, claims, judged, zone, fence) ||
          enters_within(spec, d, claims, judged, zone, fence, v);
 }
 
@@ -424,35 +516,8 @@ namespace {
 std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decision& d,
                                      const Claims& claims, const sema::Controller& recovery,
                                      sema::ZoneId zone) {
-  bool loiters = false;
-  Rational fastest = 0;
-  for (const sema::Template& what : sema::templates_of(recovery)) {
-    fastest = std::max(fastest, sema::speed_of(what).value_or(Rational(0)));
-    const auto moves = sema::moves_of(what);
-    if (!moves || moves->zone != zone) continue;
-    if (std::holds_alternative<sema::Loiter>(what)) {
-      loiters = true;
-    } else if (!std::holds_alternative<sema::Retreat>(what)) {
-      return std::nullopt;
-    }
-  }
-  if (sema::claim_of(recovery)) return std::nullopt;
-  Rational back = 0, gap = 0;
-  for (const sema::MonitorId id : d.priority) {
-    const sema::Monitor& m = spec[id];
-    if (m.return_when) return std::nullopt;
-    back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
-    for (const sema::ZoneId each : all_zones(*m.always)) {
-      gap = std::max(gap, gap_of(spec, *m.always, each));
-    }
-  }
-  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
-  const Rational leg = claims.leg_in_space(d, fastest) + gap;
-  const Rational lap(1, 2), strays = leg - n.radius;
-  const Rational looks_for =
-      std::max(Rational(back + gap), leg) + n.sway +
-      (loiters ? Rational(n.sway + 2 * n.position_error + lap) : Rational(0));
-  return looks_for + strays;
+  const auto led = looks_for(spec, d, claims, recovery, zone);
+  return led ? std::optional<Rational>(led->clearance + led->strays) : std::nullopt;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/compiler/geometry/testing.h"
@@ -157,6 +158,33 @@ TEST(SnappedSolid, BeyondTheGridIsNone) {
   EXPECT_FALSE(snap_inside(Solid::prism(square(0, 1), 0, 600000)));
   EXPECT_FALSE(snap_around(Solid::prism(square(0, 1), -600000, 0)));
   EXPECT_TRUE(snap_around(Solid::everywhere()));
+}
+
+// Beside an edge a ball comes nearer than what is as high and as wide: no place where it fits is
+// left out, and at walls and over roofs none is there where it does not.
+TEST(Solid, ShrinkByABallLeavesOutNoPlaceWhereItFits) {
+  const Solid around = cube(-20, 20).subtract(cube(0, 4));
+  const Solid balls = around.shrink_by_ball(2), cylinders = around.shrink(2, 2);
+  EXPECT_TRUE(cylinders.subtract(balls).empty());
+  std::mt19937 random(5);
+  int at_edges = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto tenth = [&] { return static_cast<int>(random() % 80U) - 20; };
+    const int x = tenth(), y = tenth(), z = tenth();
+    const auto off = [](int at) { return std::max({-at, at - 40, 0}); };
+    const int square = off(x) * off(x) + off(y) * off(y) + off(z) * off(z);
+    const Point p{q(x, 10), q(y, 10)};
+    if (square >= 20 * 20) {
+      EXPECT_TRUE(balls.contains(p, q(z, 10))) << x << ", " << y << ", " << z;
+      at_edges += cylinders.contains(p, q(z, 10)) ? 0 : 1;
+    }
+    const auto beside = [](int at) { return at > 0 && at < 40; };
+    const bool straight = beside(x) + beside(y) + beside(z) >= 2;
+    if (straight && square < 19 * 19) {
+      EXPECT_FALSE(balls.contains(p, q(z, 10))) << x << ", " << y << ", " << z;
+    }
+  }
+  EXPECT_GT(at_edges, 20);
 }
 
 }  // namespace
