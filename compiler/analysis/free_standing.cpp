@@ -1,7 +1,6 @@
 #include "compiler/analysis/free_standing.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -19,11 +18,11 @@ using geometry::Solid;
 
 // What the zone leaves out around a block of the fence, or where there is none.
 struct Gap {
-  Region base;       // convex: of the block, or else of what is left out
-  Rational top;      // of the block, m
-  Rational width;    // around it and over it; 0 where there is none
-  bool in_fence;     // there is a block
-  std::size_t over;  // the slab of the zone above it; as many as there are: it has none
+  Region base;             // convex: of the block, or else of what is left out
+  Rational top;            // of the block, m
+  Rational width;          // around it and over it; 0 where there is none
+  bool has_block = false;  // of the fence
+  std::size_t over = 1;    // the slab of the zone above it; as many as there are: it has none
 };
 
 // What the search asks for, and how far it looks for that.
@@ -48,20 +47,28 @@ struct Search {
   }
 };
 
-// Offsets reach farther by no more than that, and two of them and what is on the grid no more.
-const Rational excess(1, 1000), excesses(2, 1000);
+// Offsets reach farther by no more than the one, and two of them and what is on the grid than both.
+const Rational one_excess(1, 1000), both_excesses(2, 1000);
 
-// From where in x and in y to where.
-std::array<Rational, 4> extent(const Region& region) {
-  std::vector<Rational> x{0}, y{0};
+// The box around a region that is not empty.
+struct Box {
+  Rational left, right, low, top;
+  bool operator==(const Box&) const = default;
+};
+Box box_of(const Region& region) {
   const std::vector<geometry::Ring> rings = region.rings();
-  if (!rings.empty()) x.front() = rings[0][0].x, y.front() = rings[0][0].y;
+  const geometry::Point& first = rings.front().front();
+  Box box{first.x, first.x, first.y, first.y};
   for (const geometry::Ring& ring : rings) {
-    for (const geometry::Point& p : ring) x.push_back(p.x), y.push_back(p.y);
+    for (const geometry::Point& p : ring) {
+      box = {std::min(box.left, p.x), std::max(box.right, p.x), std::min(box.low, p.y),
+             std::max(box.top, p.y)};
+    }
   }
-  const auto [left, right] = std::ranges::minmax_element(x);
-  const auto [low, top] = std::ranges::minmax_element(y);
-  return {*left, *right, *low, *top};
+  return box;
+}
+bool is_on_grid(const Rational& height) {
+  return Rational(height * 1000).get_den() == 1;
 }
 
 class FreeStanding {
@@ -77,9 +84,9 @@ class FreeStanding {
         const auto outline = Region::polygon(hole, {});
         const Region* const left_out = std::get_if<Region>(&outline);
         const auto gap = left_out != nullptr ? gap_in(*left_out) : std::nullopt;
-        if (!gap || !is_free(*gap)) continue;
-        const Rational beside = gap->width + search_.radius + excesses;
-        starts = starts.subtract(Solid::prism(gap->base.grow(beside), ground(), gap->top + beside));
+        if (!gap) continue;
+        const Solid near = around(*gap);
+        if (is_free(*gap, starts.intersect(near))) starts = starts.subtract(near);
       }
     }
     return starts;
@@ -87,70 +94,89 @@ class FreeStanding {
 
  private:
   [[nodiscard]] const Rational& ground() const { return zone_.front().floor; }
-  // Nothing hangs over a place of the zone, but a ceiling over the last slab.
+  [[nodiscard]] bool has_roof(const Gap& gap) const { return gap.over < zone_.size(); }
+  // Nothing hangs over a place of the zone, but a ceiling over the last slab. Where slabs end on
+  // the grid, a robot has as many.
   [[nodiscard]] bool widens_upwards() const {
     for (std::size_t i = 1; i < zone_.size(); ++i) {
       const Slab &lower = zone_[i - 1], &upper = zone_[i];
       if (lower.ceiling != upper.floor || !upper.region.contains(lower.region)) return false;
     }
-    return !zone_.empty();
+    return std::ranges::all_of(
+        zone_, [](const Slab& slab) { return is_on_grid(slab.floor) && is_on_grid(slab.ceiling); });
+  }
+  // Where bodies are beside a block, or over it, that do not fit in the zone for what that leaves
+  // out there, and neither for its floor nor for its ceiling.
+  [[nodiscard]] Solid around(const Gap& gap) const {
+    const Rational& radius = search_.radius;
+    const Rational beside = gap.width + radius + both_excesses;
+    return Solid::prism(gap.base.grow(beside), ground() + radius,
+                        has_roof(gap) ? Rational(gap.top + beside) : Rational(gap.top - radius));
   }
   // nullopt: what the fence leaves out there is no upright block with a convex base.
   [[nodiscard]] std::optional<Gap> gap_in(const Region& left_out) const {
-    std::size_t over = 1;
-    while (over < zone_.size() && !zone_[over].region.contains(left_out)) ++over;
-    const bool has_roof = over < zone_.size();
-    const Rational top = has_roof ? zone_[over].floor : zone_.back().ceiling;
+    Gap gap{left_out, zone_.back().ceiling, 0};
+    while (has_roof(gap) && !zone_[gap.over].region.contains(left_out)) ++gap.over;
+    if (has_roof(gap)) gap.top = zone_[gap.over].floor;
+    const Rational up_to = has_roof(gap) ? Rational(gap.top + both_excesses) : gap.top;
     const Solid block =
-        Solid::prism(left_out.grow(excesses), ground(), has_roof ? Rational(top + excesses) : top)
-            .subtract(fence_);
-    if (block.empty()) {
-      return is_convex(left_out) ? std::optional(Gap{left_out, top, 0, false, over}) : std::nullopt;
+        Solid::prism(left_out.grow(both_excesses), ground(), up_to).subtract(fence_);
+    if (!block.empty()) {
+      const Slab& only = block.slabs().front();
+      if (block.slabs().size() != 1 || only.floor != ground()) return std::nullopt;
+      if (!has_roof(gap) && only.ceiling != gap.top) return std::nullopt;
+      gap.base = only.region;
+      gap.width = has_roof(gap) ? Rational(gap.top - only.ceiling)
+                                : Rational(box_of(only.region).left - box_of(left_out).left);
+      gap.top = only.ceiling;
+      gap.has_block = true;
     }
-    const std::vector<Slab>& slabs = block.slabs();
-    if (slabs.size() != 1 || slabs[0].floor != ground() || !is_convex(slabs[0].region)) {
-      return std::nullopt;
-    }
-    const Region& base = slabs[0].region;
-    if (has_roof) return Gap{base, slabs[0].ceiling, top - slabs[0].ceiling, true, over};
-    if (slabs[0].ceiling != top) return std::nullopt;
-    return Gap{base, top, extent(base)[0] - extent(left_out)[0], true, over};
+    return is_convex(gap.base) ? std::optional(gap) : std::nullopt;
   }
 
   // The zone goes as far around the block as ways do, and over it.
-  [[nodiscard]] bool is_free(const Gap& gap) const {
+  [[nodiscard]] bool is_free(const Gap& gap, const Solid& starts) const {
     const Region wide = gap.base.grow(search_.reach(gap.width));
-    const Region ring = wide.subtract(gap.base.grow(gap.width + excesses));
-    const Region filled = gap.base.grow(gap.width - excess);
+    const Region ring = wide.subtract(gap.base.grow(gap.width + both_excesses));
+    const Region filled = gap.base.grow(gap.width - one_excess);
     const auto is_around = [&](const Slab& slab) {
       return slab.region.contains(ring) && slab.region.intersect(filled).empty();
     };
     return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_around) &&
-           (gap.over == zone_.size() || leads_over(gap, wide)) && keeps_the_rest(gap, wide);
+           (!has_roof(gap) || leads_over(gap, wide, starts)) && keeps_the_rest(gap, wide);
   }
   // From everywhere in the gap that is near the roof the search looks at the way straight up.
-  [[nodiscard]] bool leads_over(const Gap& gap, const Region& wide) const {
+  [[nodiscard]] bool leads_over(const Gap& gap, const Region& wide, const Solid& starts) const {
     const Slab &above = zone_[gap.over], &beside = zone_[gap.over - 1];
     if (beside.floor > gap.top - search_.aim ||
         above.ceiling < above.floor + 2 * search_.aim + search_.radius ||
-        looks_over(gap) > Search::looks_max || !above.region.contains(wide) || !keeps_edges(gap)) {
+        !above.region.contains(wide) || !keeps_edges(gap)) {
       return false;
     }
     // who goes down first finds no other cells there
     const Region alike = beside.region.intersect(wide);
-    return std::all_of(
-        zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), [&](const Slab& slab) {
-          return slab.region.contains(alike) && extent(slab.region) == extent(beside.region);
-        });
+    const auto is_alike = [&](const Slab& slab) {
+      return slab.region.contains(alike) && box_of(slab.region) == box_of(beside.region);
+    };
+    return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_alike) &&
+           looks_over(gap, starts) <= Search::looks_max;
   }
-  // Along the level, and as far down as is shorter than that.
-  [[nodiscard]] std::int64_t looks_over(const Gap& gap) const {
-    const Rational level = gap.width + search_.aim + 3 * search_.cell;
+  // Along the level to the nearest cell, from over the middle of the roof on, if anybody is there,
+  // and as far down as is shorter than that.
+  [[nodiscard]] std::int64_t looks_over(const Gap& gap, const Solid& starts) const {
+    Region over_roof;
+    for (const Slab& slab : starts.slabs()) {
+      if (slab.ceiling > gap.top) over_roof = over_roof.unite(slab.region);
+    }
+    const Rational beside = gap.width + search_.aim + 3 * search_.cell;
+    const Region without_cell = gap.base.grow(beside);
+    Rational level(Search::piece_mm, 1000);
+    while (level < beside || !over_roof.intersect(without_cell.shrink(level)).empty()) level *= 2;
     std::int64_t looks = Search::looks_at(level);
     for (std::size_t j = 0; j < gap.over; ++j) {
       const Rational to = zone_[j].ceiling - search_.aim;
       if (gap.top - to >= level) continue;
-      const Rational down = zone_[gap.over].floor - to;
+      const Rational down = zone_[gap.over].floor + both_excesses - to;
       looks += std::int64_t(j + 1) * Search::looks_at(std::min(level, down));
     }
     return looks;
@@ -159,18 +185,17 @@ class FreeStanding {
   [[nodiscard]] bool keeps_the_rest(const Gap& gap, const Region& wide) const {
     const Rational off = search_.radius + asked_;
     const Region around = wide.grow(2 * off);
-    const bool has_roof = gap.over < zone_.size();
     const Rational top =
-        has_roof ? Rational(zone_[gap.over].floor + search_.aim) : zone_.back().ceiling;
+        has_roof(gap) ? Rational(zone_[gap.over].floor + search_.aim) : zone_.back().ceiling;
     Solid without = fence_.unite(Solid::prism(around, ground() - 2 * off, ground()));
-    if (!has_roof) without = without.unite(Solid::prism(around, top, top + 2 * off));
-    if (gap.in_fence) without = without.unite(Solid::prism(gap.base, ground(), gap.top));
+    if (!has_roof(gap)) without = without.unite(Solid::prism(around, top, top + 2 * off));
+    if (gap.has_block) without = without.unite(Solid::prism(gap.base, ground(), gap.top));
     return Solid::prism(wide, ground(), top).subtract(without.shrink(off, off)).empty();
   }
   // Who is beside the edge of what is left out is as far from that of the block as is asked.
   [[nodiscard]] bool keeps_edges(const Gap& gap) const {
-    if (!gap.in_fence) return true;
-    const Rational has = gap.width - excesses, off = search_.radius + asked_;
+    if (!gap.has_block) return true;
+    const Rational has = gap.width - both_excesses, off = search_.radius + asked_;
     return has > 0 && 2 * has * has >= off * off;
   }
 
@@ -180,23 +205,39 @@ class FreeStanding {
   Rational asked_;
 };
 
+// How clear a place is, in mm, that recoveries look for first in a zone, with what lengths are
+// rounded by here and where certificates are checked. nullopt: it is not known, as something asks
+// for more before it gives back, or moves there in another way.
+std::optional<std::int64_t> looked_for_mm(const ir::Decision& decision, ir::ZoneIndex zone) {
+  constexpr std::int64_t rounding_mm = 20;
+  const ir::Body& body = decision.body;
+  std::int64_t most_mm = 0;
+  for (const ir::Monitor& m : decision.monitors) {
+    if (m.return_when) return std::nullopt;
+    for (const ir::Recovery* step : ir::steps_of(m.recovery)) {
+      if (!(ir::moves(step->kind) || step->claims) || step->zone != zone) continue;
+      if (step->claims || !ir::goes_back(step->kind)) return std::nullopt;
+      most_mm = std::max(most_mm, step->return_clearance_mm);
+    }
+  }
+  return most_mm + body.end_reach_mm + body.position_error_mm + rounding_mm;
+}
+
 }  // namespace
 
 bool leads_off_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence,
                       std::int64_t asked_mm, const Solid& starts) {
   const ir::ZoneTable& zone = at.module[step.zone];
-  if (!ir::goes_back(step.kind) || !zone.has_height()) return false;
+  const auto aim_mm = looked_for_mm(at.decision, step.zone);
+  if (!aim_mm || !zone.has_height()) return false;
   std::int64_t cell_mm = 0;
   for (const ir::ZoneTable::Slab& slab : zone.slabs) {
     cell_mm = std::max<std::int64_t>(cell_mm, at.module[slab.base].cells.cell_mm);
   }
-  const ir::Body& body = at.decision.body;
-  const std::int64_t slack_mm = body.end_reach_mm + body.position_error_mm;
-  const std::int64_t aim_mm =
-      std::max(aims_at_mm(at.decision, step), step.return_clearance_mm + slack_mm);
+  const std::int64_t radius_mm = at.decision.body.radius_mm;
   const Solid within = at.solid(step.zone), around = at.solid(fence);
   const FreeStanding blocks(within, around,
-                            {metres_of(body.radius_mm), metres_of(aim_mm), metres_of(cell_mm)},
+                            {metres_of(radius_mm), metres_of(*aim_mm), metres_of(cell_mm)},
                             metres_of(asked_mm));
   return blocks.starts_elsewhere(starts).empty();
 }

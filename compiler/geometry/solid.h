@@ -38,8 +38,9 @@ class Solid {
   // The places from which all that is reached that way lies within, as Region::shrink has it.
   [[nodiscard]] Solid shrink(const Rational& across, const Rational& upright,
                              std::size_t nested = 1) const;
-  // Every place from which a ball of that radius lies within, and at edges some more: what shrinks
-  // by cylinders that lie in the ball have in common.
+  // Every place from which a ball of that radius lies within, but for what offsets reach farther
+  // than they are told, and at edges some more: what shrinks by cylinders that lie in the ball have
+  // in common.
   [[nodiscard]] Solid shrink_by_ball(const Rational& radius) const;
 
   [[nodiscard]] bool empty() const { return slabs_.empty(); }

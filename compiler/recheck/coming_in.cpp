@@ -407,48 +407,6 @@ bool enters_by_sides(const sema::Spec& spec, const sema::Decision& d, Claims& cl
   return stay_within(claims, *inner, places, *ways);
 }
 
-}  // namespace
-
-namespace {
-
-// How clear the places are that a recovery which goes back in space looks for first, at most, and
-// how far it strays from its legs. nullopt: that is not known.
-struct LooksFor {
-  Rational clearance, strays;
-};
-std::optional<LooksFor> looks_for(const sema::Spec& spec, const sema::Decision& d,
-                                  const Claims& claims, const sema::Controller& recovery,
-                                  sema::ZoneId zone) {
-  bool loiters = false;
-  Rational fastest = 0;
-  for (const sema::Template& what : sema::templates_of(recovery)) {
-    fastest = std::max(fastest, sema::speed_of(what).value_or(Rational(0)));
-    const auto moves = sema::moves_of(what);
-    if (!moves || moves->zone != zone) continue;
-    if (std::holds_alternative<sema::Loiter>(what)) {
-      loiters = true;
-    } else if (!std::holds_alternative<sema::Retreat>(what)) {
-      return std::nullopt;
-    }
-  }
-  if (sema::claim_of(recovery)) return std::nullopt;
-  Rational back = 0, gap = 0;
-  for (const sema::MonitorId id : d.priority) {
-    const sema::Monitor& m = spec[id];
-    if (m.return_when) return std::nullopt;
-    back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
-    for (const sema::ZoneId each : all_zones(*m.always)) {
-      gap = std::max(gap, gap_of(spec, *m.always, each));
-    }
-  }
-  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
-  const Rational leg = claims.leg_in_space(d, fastest) + gap;
-  const Rational lap(1, 2);
-  return LooksFor{std::max(Rational(back + gap), leg) + n.sway +
-                      (loiters ? Rational(n.sway + 2 * n.position_error + lap) : Rational(0)),
-                  leg - n.radius};
-}
-
 // In space, past blocks that stand free, which are as far off as is asked where it sets out.
 bool enters_past_blocks(const sema::Spec& spec, const sema::Decision& d, Claims& claims,
                         const sema::Monitor& judged, sema::ZoneId zone, sema::ZoneId fence) {
@@ -456,21 +414,24 @@ bool enters_past_blocks(const sema::Spec& spec, const sema::Decision& d, Claims&
   const auto inner = zones.solid(zone), outer = zones.solid(fence);
   if (zones.region(zone) != nullptr || !inner || !outer) return false;
   if (least_said(spec, *judged.always, fence) < 0 || speaks_of_more(*judged.always)) return false;
-  FreeRoom room{spec[d.kind].radius.value, gap_of(spec, *judged.always, fence), 0};
+  // what asks for more before it gives back, or moves there otherwise, may look for more
+  const auto may_look_for_more = [&](const sema::Template& what) {
+    const auto moves = sema::moves_of(what);
+    return moves && moves->zone == zone && !std::holds_alternative<sema::Retreat>(what) &&
+           !std::holds_alternative<sema::Loiter>(what);
+  };
   for (const sema::MonitorId id : d.priority) {
+    if (spec[id].return_when) return false;
     if (!spec[id].recover) continue;
     const sema::Controller& recovery = spec[*spec[id].recover];
-    const auto templates = sema::templates_of(recovery);
-    if (std::ranges::none_of(templates, [&](const sema::Template& what) {
-          const auto moves = sema::moves_of(what);
-          return moves && moves->zone == zone;
-        })) {
-      continue;
+    if (sema::claim_of(recovery) ||
+        std::ranges::any_of(sema::templates_of(recovery), may_look_for_more)) {
+      return false;
     }
-    const auto led = looks_for(spec, d, claims, recovery, zone);
-    if (!led) return false;
-    room.clearance = std::max(room.clearance, led->clearance);
   }
+  const Rational sway = numbers_of(spec, d, jitter_of(spec, d)).sway;
+  const FreeRoom room{spec[d.kind].radius.value, gap_of(spec, *judged.always, fence),
+                      claims.return_clearance(d, zone, return_extra(spec, d)) + sway};
   return beside_free_blocks(
       *inner, *outer, room,
       held_outside(zones, held_by_fence(spec, d, judged, fence), zone, room.radius));
@@ -516,8 +477,35 @@ namespace {
 std::optional<Rational> led_off_ends(const sema::Spec& spec, const sema::Decision& d,
                                      const Claims& claims, const sema::Controller& recovery,
                                      sema::ZoneId zone) {
-  const auto led = looks_for(spec, d, claims, recovery, zone);
-  return led ? std::optional<Rational>(led->clearance + led->strays) : std::nullopt;
+  bool loiters = false;
+  Rational fastest = 0;
+  for (const sema::Template& what : sema::templates_of(recovery)) {
+    fastest = std::max(fastest, sema::speed_of(what).value_or(Rational(0)));
+    const auto moves = sema::moves_of(what);
+    if (!moves || moves->zone != zone) continue;
+    if (std::holds_alternative<sema::Loiter>(what)) {
+      loiters = true;
+    } else if (!std::holds_alternative<sema::Retreat>(what)) {
+      return std::nullopt;
+    }
+  }
+  if (sema::claim_of(recovery)) return std::nullopt;
+  Rational back = 0, gap = 0;
+  for (const sema::MonitorId id : d.priority) {
+    const sema::Monitor& m = spec[id];
+    if (m.return_when) return std::nullopt;
+    back = std::max(back, claims.return_clearance(d, m, return_extra(spec, d)));
+    for (const sema::ZoneId each : all_zones(*m.always)) {
+      gap = std::max(gap, gap_of(spec, *m.always, each));
+    }
+  }
+  const Numbers n = numbers_of(spec, d, jitter_of(spec, d));
+  const Rational leg = claims.leg_in_space(d, fastest) + gap;
+  const Rational lap(1, 2), strays = leg - n.radius;
+  const Rational looks_for =
+      std::max(Rational(back + gap), leg) + n.sway +
+      (loiters ? Rational(n.sway + 2 * n.position_error + lap) : Rational(0));
+  return looks_for + strays;
 }
 
 }  // namespace

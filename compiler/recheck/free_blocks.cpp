@@ -23,8 +23,10 @@ const Rational millimetre(1, 1000);
 constexpr std::size_t slabs_most = 6;
 constexpr int looks_most = 7800, cells_aside = 8;
 // Piece by piece, down to 4 mm.
-int looks_at(double way) {
-  return 2 << std::max(0, static_cast<int>(std::ceil(std::log2(way / 0.004) - 1e-9)));
+int looks_at(const Rational& way) {
+  int pieces = 1;
+  while (way > pieces * 4 * millimetre) pieces *= 2;
+  return 2 * pieces;
 }
 
 // The lowest and the highest coordinates; the same where there are none.
@@ -45,7 +47,8 @@ Rational cell_of(const Region& region) {
   const auto [low, high] = corners_of(region);
   Rational cell(1, 10);
   const double wide = Rational(high.x - low.x).get_d(), deep = Rational(high.y - low.y).get_d();
-  while (wide / cell.get_d() * (deep / cell.get_d()) > 40'000) cell += Rational(1, 100);
+  const auto count = [&](double length) { return std::ceil(length / cell.get_d() + 0.01); };
+  while (count(wide) * count(deep) > 40'000) cell += Rational(1, 100);
   // beyond whole cells there may be a part of one on both sides
   return cell + Rational(1, 100);
 }
@@ -65,14 +68,20 @@ class Blocks {
       : slabs_(slabs), fence_(fence), room_(room) {
     for (const Slab& slab : slabs) cell_ = std::max(cell_, cell_of(slab.region));
   }
-  // Where nobody is led nearer to the fence than is asked; empty: that is not known.
-  [[nodiscard]] Solid around(const Ring& ring) const {
+  // Of these starts, all from where somebody may be led nearer to the fence than is asked, but for
+  // those near the block in that hole of the zone, if it stands free.
+  [[nodiscard]] Solid elsewhere(const Solid& starts, const Ring& ring) const {
     const auto found = Region::polygon(ring, {});
     const Region* const hole = std::get_if<Region>(&found);
     const auto block = hole != nullptr ? block_in(*hole) : std::nullopt;
-    if (!block || !stands_free(*block)) return {};
+    if (!block) return starts;
     const Rational reach = block->around + room_.radius + 2 * millimetre;
-    return Solid::prism(block->base.grow(reach), slabs_.front().floor, block->top + reach);
+    // a body at the floor or the ceiling of the zone has less room than beside the block
+    const Rational high =
+        ends(*block) ? Rational(block->top + reach) : Rational(block->top - room_.radius);
+    const Solid beside =
+        Solid::prism(block->base.grow(reach), slabs_.front().floor + room_.radius, high);
+    return stands_free(*block, starts.intersect(beside)) ? starts.subtract(beside) : starts;
   }
 
  private:
@@ -100,7 +109,7 @@ class Blocks {
   }
 
   // Whether all that the search looks at from around the block is free, and wide enough.
-  [[nodiscard]] bool stands_free(const Block& block) const {
+  [[nodiscard]] bool stands_free(const Block& block, const Solid& starts) const {
     const Region near =
         block.base.grow(block.around + 2 * room_.clearance + cells_aside * cell_ + room_.radius);
     const Region beside = near.subtract(block.base.grow(block.around + 2 * millimetre));
@@ -109,11 +118,11 @@ class Blocks {
       if (!slabs_[i].region.contains(beside)) return false;
       if (!core.intersect(slabs_[i].region).empty()) return false;
     }
-    if (ends(block) && !goes_over(block, near)) return false;
+    if (ends(block) && !goes_over(block, near, starts)) return false;
     return keeps_others(block, near);
   }
   // Whether straight up is looked at from near the roof, and nothing between but that height.
-  [[nodiscard]] bool goes_over(const Block& block, const Region& near) const {
+  [[nodiscard]] bool goes_over(const Block& block, const Region& near, const Solid& starts) const {
     const Slab &over = slabs_[block.over], &under = slabs_[block.over - 1];
     // the edge of what is left out is as far from that of the block as from a corner of a square
     const Rational least = block.around - 2 * millimetre, asked = room_.radius + room_.asked;
@@ -121,18 +130,34 @@ class Blocks {
     if (block.top - under.floor < room_.clearance) return false;
     if (over.ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
     if (!over.region.contains(near)) return false;
-    const double level = Rational(block.around + room_.clearance + 3 * cell_).get_d();
+    const Rational level = level_way(block, starts);
     int looks = looks_at(level);
     for (std::size_t i = 0; i < block.over; ++i) {
       // as the slab under the roof: who goes down first finds no other cells there
       if (!slabs_[i].region.contains(under.region.intersect(near))) return false;
       if (corners_of(slabs_[i].region) != corners_of(under.region)) return false;
       const Rational height = slabs_[i].ceiling - room_.clearance;
-      if (Rational(block.top - height).get_d() >= level) continue;
-      const double down = std::min(level, Rational(over.floor - height).get_d());
-      looks += static_cast<int>(i + 1) * looks_at(down);
+      if (block.top - height >= level) continue;
+      const Rational down = over.floor + 2 * millimetre - height;
+      looks += static_cast<int>(i + 1) * looks_at(std::min(level, down));
     }
     return looks <= looks_most;
+  }
+  // No nearest cell is farther from who is higher than the block; as many pieces of 4 mm as are cut
+  // in two again and again.
+  [[nodiscard]] Rational level_way(const Block& block, const Solid& starts) const {
+    const Rational beside = block.around + room_.clearance + 3 * cell_;
+    const Region none = block.base.grow(beside);
+    int pieces = 1;
+    const auto reaches = [&](const Rational& way) {
+      if (way < beside) return false;
+      const Region too_far = none.shrink(way);
+      return std::ranges::all_of(starts.slabs(), [&](const Slab& slab) {
+        return slab.ceiling <= block.top || slab.region.intersect(too_far).empty();
+      });
+    };
+    while (!reaches(pieces * 4 * millimetre)) pieces *= 2;
+    return pieces * 4 * millimetre;
   }
   // Whether all else of the fence is as far off, but for the ground, and a ceiling over what ends
   // there.
@@ -164,10 +189,16 @@ bool beside_free_blocks(const Solid& zone, const Solid& fence, const FreeRoom& r
     const bool joined = slabs[i].floor == slabs[i - 1].ceiling;
     if (!joined || !slabs[i].region.contains(slabs[i - 1].region)) return false;
   }
+  // the robot has as many of them if they end on its grid
+  const auto whole = [](const Rational& m) { return Rational(m * 1000).get_den() == 1; };
+  if (!std::ranges::all_of(
+          slabs, [&](const Slab& slab) { return whole(slab.floor) && whole(slab.ceiling); })) {
+    return false;
+  }
   const Blocks blocks(slabs, fence, room);
   Solid left = starts;
   for (const geometry::PolygonWithHoles& polygon : slabs.front().region.polygons()) {
-    for (const Ring& ring : polygon.holes) left = left.subtract(blocks.around(ring));
+    for (const Ring& ring : polygon.holes) left = blocks.elsewhere(left, ring);
   }
   return left.empty();
 }

@@ -192,8 +192,9 @@ bool share_nothing(const Subject& s, const std::vector<Need>& needs) {
   for (const Need& need : needs) {
     const Rational by =
         analysis::metres_of(std::max<std::int64_t>(need.clearance_mm - rounded_mm, 0));
-    const Rational upright = s.module[need.zone].has_height() ? by : Rational(0);
-    common = common.intersect(solid(need.zone).shrink(by, upright));
+    const geometry::Solid whole = solid(need.zone);
+    common = common.intersect(s.module[need.zone].has_height() ? whole.shrink_by_ball(by)
+                                                               : whole.shrink(by, 0));
   }
   return common.empty();
 }

@@ -34,7 +34,7 @@ Rational milli(std::int64_t mm) {
 // A hut of 2 m by 4 m in a box of air, all in mm.
 struct Scene {
   std::int64_t left = 8000, right = 8000, low = 8000, top = 8000;  // from the hut to the walls
-  std::int64_t height = 3000, ceiling = 9000;
+  std::int64_t height = 3000, ceiling = 9000, wide = 2000, deep = 4000;
   std::int64_t grown = 1000, asked = 1000, radius = 200;
   bool bent = false;     // an L in place of a rectangle
   bool hanging = false;  // off the ground
@@ -44,14 +44,14 @@ struct Scene {
   static constexpr std::int64_t back = 600;
 
   [[nodiscard]] Solid hut() const {
-    Region base = geometry::box(0, 0, 2000, 4000);
+    Region base = geometry::box(0, 0, wide, deep);
     if (bent) base = base.subtract(geometry::box(1000, 2000, 2000, 4000));
     Solid hut = Solid::prism(base, milli(hanging ? 500 : 0), milli(height));
     if (in_two) hut = hut.unite(Solid::prism(geometry::box(-200, 0, 0, 4000), 0, milli(1000)));
     return hut;
   }
   [[nodiscard]] Solid air() const {
-    const Region plot = geometry::box(-left, -low, 2000 + right, 4000 + top);
+    const Region plot = geometry::box(-left, -low, wide + right, deep + top);
     Solid air = Solid::prism(plot, 0, milli(ceiling));
     if (covered) {
       air = air.subtract(
@@ -121,7 +121,7 @@ bool is_free(const Scene& scene) {
 // most that is lost of that, m.
 struct Lost {
   double most_m = 0;
-  int ways = 0;
+  int ways = 0, none = 0;  // none: no way was found
 };
 Lost lost_in(const Scene& scene, std::mt19937& random, int count) {
   const Flown zone(scene.zone());
@@ -129,8 +129,9 @@ Lost lost_in(const Scene& scene, std::mt19937& random, int count) {
   const auto metres = [](std::int64_t mm) { return 1e-3 * static_cast<double>(mm); };
   const double radius_m = metres(scene.radius), asked_m = radius_m + metres(scene.asked);
   const double beside_m = metres(scene.grown) + radius_m, height_m = metres(scene.height);
+  const double wide_m = metres(scene.wide), deep_m = metres(scene.deep);
   const auto off_hut_m = [&](Vec3 p) {
-    return norm({std::max({-p.x, p.x - 2, 0.0}), std::max({-p.y, p.y - 4, 0.0}),
+    return norm({std::max({-p.x, p.x - wide_m, 0.0}), std::max({-p.y, p.y - deep_m, 0.0}),
                  std::max(p.z - height_m, 0.0)});
   };
   const auto draw = [&](double low, double high) {
@@ -141,14 +142,15 @@ Lost lost_in(const Scene& scene, std::mt19937& random, int count) {
     // within the air, by the radius, near the hut
     const Vec3 from{
         draw(std::max(-beside_m, radius_m - metres(scene.left)),
-             2 + std::min(beside_m, metres(scene.right) - radius_m)),
+             wide_m + std::min(beside_m, metres(scene.right) - radius_m)),
         draw(std::max(-beside_m, radius_m - metres(scene.low)),
-             4 + std::min(beside_m, metres(scene.top) - radius_m)),
+             deep_m + std::min(beside_m, metres(scene.top) - radius_m)),
         draw(radius_m, std::min(height_m + beside_m, metres(scene.ceiling) - radius_m))};
     if (off_hut_m(from) < asked_m || signed_clearance(*zone, from) >= radius_m) continue;
     ++lost.ways;
     Looking::Legs legs;
     retreat.look(0, from, legs);
+    lost.none += legs.empty() ? 1 : 0;
     Vec3 at = from;
     for (const Vec3 to : legs) {
       for (int i = 0; i <= 200; ++i) {
@@ -174,12 +176,14 @@ TEST(FreeStanding, NoWayOfTheSearchComesNearerThanIsAsked) {
     scene.height = any(900, 4000), scene.ceiling = scene.height + any(0, 9000);
     scene.grown = any(300, 2000), scene.asked = any(0, scene.grown), scene.radius = any(100, 400);
     scene.divided = any(0, 3) == 0;
+    scene.wide = any(1000, 7000), scene.deep = any(1000, 7000);
     if (!is_free(scene)) continue;
     ++free;
     const Lost lost = lost_in(scene, random, ways);
     looked += lost.ways;
     // less than the centimetre that a hold has room for
     EXPECT_LE(lost.most_m, 9.5e-3) << "scene " << i;
+    EXPECT_EQ(lost.none, 0) << "scene " << i;
   }
   EXPECT_GT(free, scenes / 8);
   EXPECT_GT(looked, free * ways / 2);
@@ -192,6 +196,18 @@ TEST(FreeStanding, AWayAcrossALowRoofIsNotSaidToKeepOff) {
   EXPECT_FALSE(is_free(scene));
   std::mt19937 random(7);
   EXPECT_GT(lost_in(scene, random, 1000).most_m, 0.1);
+}
+
+// Over the middle of a wide roof, near the edge of what is left out, it looks along level legs
+// until it may not look any more, and nothing leads it away.
+TEST(FreeStanding, OverAWideRoofNoWayIsFound) {
+  Scene scene;
+  scene.wide = scene.deep = 36'000;
+  EXPECT_TRUE(is_free(scene));  // nobody is there
+  scene.asked = 0;
+  EXPECT_FALSE(is_free(scene));
+  std::mt19937 random(7);
+  EXPECT_GT(lost_in(scene, random, 20).none, 0);
 }
 
 TEST(FreeStanding, ABlockIsUprightAndConvexAndHasRoomAllAround) {
@@ -237,6 +253,24 @@ TEST_F(FreeStandingPages, ARetreatOutOfMoreThanIsAskedIsProvedAndFoundOnceMore) 
     const Outcome o = verified(flight(wide, left), {"-o", "proofs"});
     EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
     EXPECT_EQ(rtac({"verify", "--recheck", "proofs"}).status, exit_clean);
+  }
+}
+
+// What recoveries look for there is the same wherever it is looked at once more.
+TEST_F(FreeStandingPages, WhatIsProvedIsFoundOnceMoreWhateverElseMovesThere) {
+  const std::string page = edited(flight(wide, "air - grow(hut, 1 m)"), "to 12 m", "to 9.6 m");
+  const std::string another =
+      "controller other : safe for Quad = loiter within away speed 0.6 m/s;\n";
+  const std::string variants[] = {
+      edited(page, "recover off; }\nmonitor hut_off",
+             "recover off; return when clearance(r, air) >= 2 m; }\nmonitor hut_off"),
+      edited(page, "= retreat within away speed 0.3", "= loiter within away speed 1"),
+      edited(edited(page, "monitor walls", another + "monitor walls"), "r inside air; recover off",
+             "r inside air; recover other")};
+  for (const std::string& each : variants) {
+    (void)verified(each, {"-o", "proofs"});
+    const Outcome again = rtac({"verify", "--recheck", "proofs"});
+    EXPECT_NE(again.status, exit_violation) << each << again.out << again.err;
   }
 }
 
