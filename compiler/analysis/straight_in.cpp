@@ -14,6 +14,7 @@
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/tables.h"
 #include "compiler/geometry/entry.h"
+#include "compiler/geometry/kept.h"
 #include "compiler/ir/linear.h"
 #include "compiler/ir/operands.h"
 
@@ -77,33 +78,31 @@ Region centres(const TakeOver& at, const Standoff& held) {
   const Region& region = at.exact(held.zone);
   return within(region, at.decision.body.radius_mm + held.mm).value_or(region);
 }
-Solid centres_in_space(const TakeOver& at, const Standoff& held) {
-  const Rational by = metres_of(at.decision.body.radius_mm + held.mm);
-  const Solid solid = at.solid(held.zone);
-  return at.module[held.zone].has_height() ? solid.shrink_by_ball(by) : solid.shrink(by, 0);
-}
-
-template <class Zone, class Centres>
-Zone where_held(const TakeOver& at, const Held& held, const Centres& centres_of) {
+// What the unions of each of these have in common.
+template <class Zone, class Each, class Of>
+Zone common(const std::vector<std::vector<Each>>& held, const Of& zone_of) {
   Zone all = Zone::everywhere();
-  for (const std::vector<Standoff>& either : held) {
+  for (const std::vector<Each>& either : held) {
     Zone some;
-    for (const Standoff& each : either) some = some.unite(centres_of(at, each));
+    for (const Each& each : either) some = some.unite(zone_of(each));
     all = all.intersect(some);
   }
   return all;
 }
+Region where_held(const TakeOver& at, const Held& held) {
+  return common<Region>(held, [&](const Standoff& each) { return centres(at, each); });
+}
 
 // The same of bodies in the plane; what is known already is not found again.
 Region centres_where_held(const TakeOver& at, const Held& held) {
-  if (at.known == nullptr) return where_held<Region>(at, held, centres);
+  if (at.known == nullptr) return where_held(at, held);
   std::vector<std::vector<KnownPlaces::Off>> key;
   for (const std::vector<Standoff>& either : held) {
     key.emplace_back();
     for (const Standoff& each : either) key.back().emplace_back(each.zone, each.mm);
   }
   const auto [found, is_new] = at.known->held.try_emplace(std::move(key));
-  if (is_new) found->second = where_held<Region>(at, held, centres);
+  if (is_new) found->second = where_held(at, held);
   return found->second;
 }
 std::optional<Region> inside_of(const TakeOver& at, ir::ZoneIndex zone, std::int64_t mm) {
@@ -123,21 +122,57 @@ bool fits_all(const TakeOver& at, ir::ZoneIndex zone, const Region& centres, std
   return inside && inside->contains(centres);
 }
 
-// In space: where bodies may be that do not lie in the zone. Such a body reaches into what is kept
-// beside it.
-Solid held_outside(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
-  const Rational by = metres_of(body_in_mm(at));
-  const Rational upright = at.module[zone].has_height() ? by : Rational(0);
-  const Solid in = at.solid(zone);
-  const Solid outside =
-      where_held<Solid>(at, held, centres_in_space).subtract(in.shrink(by, upright));
-  if (outside.empty()) return outside;
-  const auto whole = [](const TakeOver& from, const Standoff& each) {
-    return from.solid(each.zone);
+// What is asked of held_outside, again and again while changes are tried.
+struct Outside {
+  struct Zone {
+    Solid solid;
+    std::int64_t off_mm = 0;
+    bool has_height = false;
+
+    bool operator==(const Zone& other) const {
+      return off_mm == other.off_mm && has_height == other.has_height &&
+             std::ranges::equal(solid.slabs(), other.solid.slabs(),
+                                [](const auto& a, const auto& b) {
+                                  return a.floor == b.floor && a.ceiling == b.ceiling &&
+                                         a.region.rings() == b.region.rings();
+                                });
+    }
   };
-  const Rational radius = metres_of(at.decision.body.radius_mm + offsets_round_mm);
-  const Solid beside = where_held<Solid>(at, held, whole).subtract(in).grow(radius, radius);
-  return outside.intersect(beside);
+  std::vector<std::vector<Zone>> held;
+  Zone zone;
+  std::int64_t radius_mm = 0;
+
+  bool operator==(const Outside&) const = default;
+
+  // Such a body reaches into what is kept beside the zone.
+  [[nodiscard]] Solid find() const {
+    const auto bodies_in = [&](const Zone& each) {
+      const Rational by = metres_of(radius_mm + each.off_mm);
+      return each.has_height ? each.solid.shrink_by_ball(by) : each.solid.shrink(by, 0);
+    };
+    const Rational fits = metres_of(std::max<std::int64_t>(radius_mm - offsets_round_mm, 0));
+    const Solid& in = zone.solid;
+    const Solid outside = common<Solid>(held, bodies_in)
+                              .subtract(in.shrink(fits, zone.has_height ? fits : Rational(0)));
+    if (outside.empty()) return outside;
+    const Rational radius = metres_of(radius_mm + offsets_round_mm);
+    const auto whole = [](const Zone& each) { return each.solid; };
+    return outside.intersect(common<Solid>(held, whole).subtract(in).grow(radius, radius));
+  }
+};
+
+// In space: where bodies may be that do not lie in the zone.
+Solid held_outside(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
+  thread_local geometry::Kept<Outside, Solid> kept;
+  const auto zone_of = [&](const Standoff& each) {
+    return Outside::Zone{at.solid(each.zone), each.mm, at.module[each.zone].has_height()};
+  };
+  Outside asked{{}, zone_of({zone, 0}), at.decision.body.radius_mm};
+  for (const std::vector<Standoff>& either : held) {
+    asked.held.emplace_back();
+    for (const Standoff& each : either) asked.held.back().push_back(zone_of(each));
+  }
+  return kept.find(asked, [&] { return asked.find(); });
 }
 
 bool all_within(const TakeOver& at, const Held& held, ir::ZoneIndex zone) {
@@ -263,10 +298,9 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
   const ir::Body& body = at.decision.body;
   const Asked asked = asked_of(at, fence);
   const std::int64_t strays_mm = beside_leg_mm(at.decision, step);
-  const Region rested = where_held<Region>(at, held_by_fence(at, fence),
-                                           [&](const TakeOver& from, const Standoff& held) {
-                                             return centres(from, {held.zone, held.mm + strays_mm});
-                                           });
+  const Region rested = common<Region>(held_by_fence(at, fence), [&](const Standoff& held) {
+    return centres(at, {held.zone, held.mm + strays_mm});
+  });
   // Whoever has as much to spare in the zone keeps that on its ways, and what the zone is farther
   // from the boundary of the fence than is asked besides.
   const std::int64_t deep_mm = depth_mm(at, step.zone, fence, asked.strictest_mm + strays_mm);

@@ -180,15 +180,9 @@ Solid Solid::shrink(const Rational& across, const Rational& upright, std::size_t
 
 Solid Solid::shrink_by_ball(const Rational& radius) const {
   if (radius <= 0) return *this;
-  // flat ones, upright ones, and those whose edges lie on the ball, exactly
-  const std::pair<Rational, Rational> cylinders[] = {{Rational(4, 5), Rational(3, 5)},
-                                                     {Rational(3, 5), Rational(4, 5)},
-                                                     {Rational(0), Rational(1)}};
-  Solid all = shrink(radius, 0);
-  for (const auto& [across, upright] : cylinders) {
-    all = all.intersect(shrink(radius * across, radius * upright));
-  }
-  return all;
+  // one that is flat, one that is upright, and between them one whose edges lie in the ball
+  const Rational edge = radius * Rational(7, 10);
+  return shrink(radius, 0).intersect(shrink(0, radius)).intersect(shrink(edge, edge));
 }
 
 bool Solid::contains(const Point& p, const Rational& z) const {
