@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "compiler/analysis/limits.h"
 #include "compiler/analysis/recovery_places.h"
+#include "compiler/analysis/sides.h"
 #include "compiler/geometry/region.h"
 
 namespace rtac::analysis {
