@@ -184,11 +184,11 @@ class FreeStanding {
   // Of the fence, whatever way they take there; none leads down, or up through what has no end.
   [[nodiscard]] bool keeps_the_rest(const Gap& gap, const Region& wide) const {
     const Rational off = search_.radius + asked_;
-    const Region around = wide.grow(2 * off);
+    const Region wider = wide.grow(2 * off);
     const Rational top =
         has_roof(gap) ? Rational(zone_[gap.over].floor + search_.aim) : zone_.back().ceiling;
-    Solid without = fence_.unite(Solid::prism(around, ground() - 2 * off, ground()));
-    if (!has_roof(gap)) without = without.unite(Solid::prism(around, top, top + 2 * off));
+    Solid without = fence_.unite(Solid::prism(wider, ground() - 2 * off, ground()));
+    if (!has_roof(gap)) without = without.unite(Solid::prism(wider, top, top + 2 * off));
     if (gap.has_block) without = without.unite(Solid::prism(gap.base, ground(), gap.top));
     return Solid::prism(wide, ground(), top).subtract(without.shrink(off, off)).empty();
   }
@@ -225,18 +225,18 @@ std::optional<std::int64_t> looked_for_mm(const ir::Decision& decision, ir::Zone
 
 }  // namespace
 
-bool leads_off_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence,
+bool leads_off_blocks(const TakeOver& at, ir::ZoneIndex within, ir::ZoneIndex fence,
                       std::int64_t asked_mm, const Solid& starts) {
-  const ir::ZoneTable& zone = at.module[step.zone];
-  const auto aim_mm = looked_for_mm(at.decision, step.zone);
+  const ir::ZoneTable& zone = at.module[within];
+  const auto aim_mm = looked_for_mm(at.decision, within);
   if (!aim_mm || !zone.has_height()) return false;
   std::int64_t cell_mm = 0;
   for (const ir::ZoneTable::Slab& slab : zone.slabs) {
     cell_mm = std::max<std::int64_t>(cell_mm, at.module[slab.base].cells.cell_mm);
   }
   const std::int64_t radius_mm = at.decision.body.radius_mm;
-  const Solid within = at.solid(step.zone), around = at.solid(fence);
-  const FreeStanding blocks(within, around,
+  const Solid inner = at.solid(within), outer = at.solid(fence);
+  const FreeStanding blocks(inner, outer,
                             {metres_of(radius_mm), metres_of(*aim_mm), metres_of(cell_mm)},
                             metres_of(asked_mm));
   return blocks.starts_elsewhere(starts).empty();

@@ -8,11 +8,11 @@
 
 namespace rtac::analysis {
 
-// Whether the ways of the step from where it starts, outside of its zone, come nearer to the
+// Whether ways back within a zone, from where robots start outside of it, come nearer to the
 // boundary of the fence than where they begin, or than `asked_mm` beyond the body, by no more than
 // the hold has room for. The zone lies in the fence, and who starts has as much of it. false also
 // where that is not known.
-bool leads_off_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence,
+bool leads_off_blocks(const TakeOver& at, ir::ZoneIndex within, ir::ZoneIndex fence,
                       std::int64_t asked_mm, const geometry::Solid& starts);
 
 }  // namespace rtac::analysis

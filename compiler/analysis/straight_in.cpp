@@ -330,7 +330,7 @@ bool enters_past_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIn
   if (least_asked_mm(at, fence) < 0 || !is_of_places(at.decision.monitors[at.judged].property)) {
     return false;
   }
-  return leads_off_blocks(at, step, fence, asked_of(at, fence).strictest_mm,
+  return leads_off_blocks(at, step.zone, fence, asked_of(at, fence).strictest_mm,
                           led_in_from(at, step.zone, fence));
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "compiler/recheck/claims.h"
 #include "compiler/recheck/on_grid.h"
 
 namespace rtac::recheck {
@@ -23,9 +25,9 @@ const Rational millimetre(1, 1000);
 constexpr std::size_t slabs_most = 6;
 constexpr int looks_most = 7800, cells_aside = 8;
 // Piece by piece, down to 4 mm.
-int looks_at(const Rational& way) {
-  int pieces = 1;
-  while (way > pieces * 4 * millimetre) pieces *= 2;
+std::int64_t looks_at(const Rational& way) {
+  std::int64_t pieces = 1;
+  while (way > milli(4 * pieces)) pieces *= 2;
   return 2 * pieces;
 }
 
@@ -131,7 +133,7 @@ class Blocks {
     if (over.ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
     if (!over.region.contains(near)) return false;
     const Rational level = level_way(block, starts);
-    int looks = looks_at(level);
+    std::int64_t looks = looks_at(level);
     for (std::size_t i = 0; i < block.over; ++i) {
       // as the slab under the roof: who goes down first finds no other cells there
       if (!slabs_[i].region.contains(under.region.intersect(near))) return false;
@@ -139,7 +141,7 @@ class Blocks {
       const Rational height = slabs_[i].ceiling - room_.clearance;
       if (block.top - height >= level) continue;
       const Rational down = over.floor + 2 * millimetre - height;
-      looks += static_cast<int>(i + 1) * looks_at(std::min(level, down));
+      looks += static_cast<std::int64_t>(i + 1) * looks_at(std::min(level, down));
     }
     return looks <= looks_most;
   }
@@ -148,7 +150,7 @@ class Blocks {
   [[nodiscard]] Rational level_way(const Block& block, const Solid& starts) const {
     const Rational beside = block.around + room_.clearance + 3 * cell_;
     const Region none = block.base.grow(beside);
-    int pieces = 1;
+    std::int64_t pieces = 1;
     const auto reaches = [&](const Rational& way) {
       if (way < beside) return false;
       const Region too_far = none.shrink(way);
@@ -156,8 +158,8 @@ class Blocks {
         return slab.ceiling <= block.top || slab.region.intersect(too_far).empty();
       });
     };
-    while (!reaches(pieces * 4 * millimetre)) pieces *= 2;
-    return pieces * 4 * millimetre;
+    while (!reaches(milli(4 * pieces))) pieces *= 2;
+    return milli(4 * pieces);
   }
   // Whether all else of the fence is as far off, but for the ground, and a ceiling over what ends
   // there.

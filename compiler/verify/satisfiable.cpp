@@ -450,9 +450,11 @@ Obligation can_hold(const Subject& s, std::size_t k) {
   }
   const bool chosen = !ways.front().empty();
   if ((together.size() > 1 || chosen) && !common) {
-    return not_seen(std::move(o), !chosen && share_nothing(s, together), "geometry",
-                    "no place is so clear of the boundaries of all of its zones that this is "
-                    "seen, whatever the errors");
+    const bool nowhere = !chosen && share_nothing(s, together);
+    return not_seen(std::move(o), nowhere, "geometry",
+                    std::string(nowhere ? "no place is" : "no place was found") +
+                        " so clear of the boundaries of all of its zones that this is seen, "
+                        "whatever the errors");
   }
   if (chosen) {
     for (const Need& need : together) add_need(needs, need);

@@ -155,5 +155,25 @@ decision fly for Quad { advanced wash; period 50 ms; priority calm > shell; ackn
   EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
 }
 
+// A ball beside the edge of a roof has more room than what is as high and as wide: that there is no
+// place in both zones is not said of the one that there is.
+TEST_F(CommonPlace, OneBesideAnEdgeIsNotDenied) {
+  const std::string page =
+      "spec edge;\n"
+      "zone yard = prism (rectangle (-20 m, -20 m) to (20 m, 20 m)) from -20 m to 20 m;\n"
+      "zone hut = prism (rectangle (-10 m, -10 m) to (0 m, 10 m)) from -19 m to 3 m;\n"
+      "zone open = yard - hut;\n"
+      "zone cage = prism (rectangle (-0.071 m, -0.333 m) to (0.595 m, 0.333 m))"
+      " from 2.929 m to 3.595 m;\n" +
+      edited(edited(a_quad, "30 cm", "20 cm"), "speed <= 3", "speed <= 1") +
+      "controller off : safe for Quad = brake_and_hold;\n"
+      "monitor m for r : Quad { \"R1\" always r inside open and r inside cage; recover off;"
+      " hold when violated \"a test\"; }\n"
+      "decision fly for Quad { advanced policy; period 50 ms; priority m; }\n";
+  const Outcome o = verified(page, {"--format", "json", "--attack", "1"});
+  EXPECT_EQ(statuses(o.out, "satisfiable", "m"), Statuses{"unknown"}) << o.out << o.err;
+  EXPECT_NE(o.out.find("no place was found so clear"), std::string::npos) << o.out;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
