@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "compiler/analysis/repairs.h"
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
@@ -137,14 +138,20 @@ bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor) 
   return decision.robots > 1 && !Company(decision, monitor).run().empty();
 }
 
-std::vector<diag::Diagnostic> unkept_agents(const Decision& decision) {
+std::vector<diag::Diagnostic> unkept_agents(const Decided& of) {
+  const Decision& decision = of.decision;
   std::vector<diag::Diagnostic> all;
-  for (const Monitor& monitor : decision.monitors) {
+  for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
+    const Monitor& monitor = decision.monitors[k];
     const Value* const first = first_agent(monitor);
     const std::string& recovery = monitor.recovery.name;
     if (first == nullptr || acknowledged(decision, recovery, monitor.name)) continue;
+    const bool brakes = monitor.recovery.kind == RecoveryKind::brake;
     // who comes near a robot that stands finds it slow enough
-    if (monitor.recovery.kind == RecoveryKind::brake && holds_at_rest(decision, monitor)) continue;
+    if (brakes && holds_held(decision, monitor)) continue;
+    const Fault fault = fault_of(diag::Code::agent_unkept, first->source);
+    const auto works = brakes ? held_that_works(of, k, fault) : std::vector<std::string>{};
+    const std::string slow = works.empty() ? "" : joined(works) + " works; or ";
     const std::string& agent = decision[std::get<AgentDistance>(first->op).agent].name;
     all.push_back({diag::Code::agent_unkept,
                    first->source,
@@ -152,8 +159,9 @@ std::vector<diag::Diagnostic> unkept_agents(const Decision& decision) {
                        monitor.name + "` then",
                    "kept while the robot moves, not while it stands",
                    {},
-                   "`acknowledge " + recovery + " may break " + monitor.name +
-                       " \"why\"` works, with the reason why that is acceptable",
+                   slow + "`acknowledge " + recovery + " may break " + monitor.name + " \"why\"`" +
+                       (slow.empty() ? " works" : "") +
+                       ", with the reason why that is acceptable",
                    {}});
   }
   return all;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compiler/analysis/decided.h"
 #include "compiler/diagnostics/engine.h"
 #include "compiler/ir/module.h"
 
@@ -20,6 +21,6 @@ bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor);
 
 // 6004, of each monitor that speaks of agents: they obey no decision, so that what it says is kept
 // while the robot moves, and nobody keeps it while that stands.
-std::vector<diag::Diagnostic> unkept_agents(const ir::Decision& decision);
+std::vector<diag::Diagnostic> unkept_agents(const Decided& of);
 
 }  // namespace rtac::analysis

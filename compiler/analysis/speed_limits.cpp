@@ -48,6 +48,21 @@ class Limits {
     return !first(id) || keeps(k, id);
   }
   [[nodiscard]] bool kept_by(std::size_t k) const { return kept_by(k, block_.result); }
+  // With which `fault` is gone, that it may be faster than a limit while it is held.
+  [[nodiscard]] std::vector<std::string> slow_enough_held(const Fault& fault) const {
+    const std::int64_t stands_mmps = decision_.body.stands_mmps;
+    const auto limit = first(block_.result, stands_mmps);
+    if (!limit) return {};
+    std::vector<std::string> works;
+    if (const auto higher = limit_that_works(fault, *limit, stands_mmps)) {
+      works.push_back("a limit of " + speed_text(*higher));
+    }
+    const auto others = repairs(of_.written, of_.trials, fault, [&](const Trial& t) {
+      return t.decision.body.stands_mmps <= limit->most_mmps;
+    });
+    works.insert(works.end(), others.begin(), others.end());
+    return works;
+  }
 
  private:
   struct Limit {
@@ -141,9 +156,30 @@ class Limits {
   // matter of who takes over (6005).
   [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
     if (is_of_zones(k, id)) return true;
+    if (is_taken_over(k) && holds_far_from_agents(id)) return true;
     const Pace found = pace(k, id);
     if (found != Pace::while_told) return found != Pace::broken;
     return decision_.monitors[k].recovery.name != monitor_.recovery.name;
+  }
+
+  // Its own recovery drives in place of that one as soon as it may be false.
+  [[nodiscard]] bool is_taken_over(std::size_t k) const {
+    return &decision_.monitors[k] > &monitor_ && !decision_.coordinated &&
+           decision_.monitors[k].recovery.name != monitor_.recovery.name;
+  }
+  // Wherever the robot is: who comes near has its recovery drive, and who leaves has it let go.
+  [[nodiscard]] bool holds_far_from_agents(ir::ValueId id) const {
+    const ir::Op& op = block_[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return holds_far_from_agents(v->a) && holds_far_from_agents(v->b);
+    }
+    if (const auto* v = std::get_if<ir::Or>(&op)) {
+      return holds_far_from_agents(v->a) || holds_far_from_agents(v->b);
+    }
+    const auto* compare = std::get_if<ir::AtLeast>(&op);
+    if (compare == nullptr) return false;
+    const auto bound = ir::lower_bound(block_, *compare, decision_.facts.params);
+    return bound && bound->leaf.kind == ir::Leaf::Kind::agent;
   }
 
   void report_no_return(const Limit& limit) {
@@ -228,10 +264,14 @@ class Limits {
   }
   [[nodiscard]] std::optional<std::int64_t> limit_that_works(const Limit& limit,
                                                              std::int64_t guess_mmps) const {
+    return limit_that_works(fault(limit), limit, guess_mmps);
+  }
+  [[nodiscard]] std::optional<std::int64_t> limit_that_works(const Fault& fault, const Limit& limit,
+                                                             std::int64_t guess_mmps) const {
     const std::int64_t declared_mmps = decision_.motions[0].speed_mmps;
     if (of_.trials == nullptr || guess_mmps >= declared_mmps) return std::nullopt;
     return asked_that_works(*of_.trials,
-                            {fault(limit), 1000, limit.most_mmps, guess_mmps, declared_mmps - 1},
+                            {fault, 1000, limit.most_mmps, guess_mmps, declared_mmps - 1},
                             limit.value->source);
   }
   [[nodiscard]] std::optional<std::string> recovery_that_works(const Limit& limit,
@@ -359,6 +399,11 @@ bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
   return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
 }
 
+bool holds_held(const ir::Decision& decision, const ir::Monitor& monitor) {
+  return asks_for_no_more_than(decision.body.stands_mmps, monitor.property,
+                               monitor.property.result);
+}
+
 bool holds_in_hold(const ir::Decision& decision, const ir::Monitor& monitor) {
   const std::int64_t mmps = fastest_from_hold(decision, monitor.lookahead.duration_us);
   return asks_for_no_more_than(mmps, monitor.property, monitor.property.result);
@@ -372,6 +417,11 @@ bool holds_while_driving(const ir::Decision& decision, std::size_t k, const ir::
 
 bool holds_standing(const ir::Monitor& monitor) {
   return asks_for_no_more_than(0, monitor.property, monitor.property.result);
+}
+
+std::vector<std::string> held_that_works(const Decided& of, std::size_t k, const Fault& fault) {
+  if (!holds_standing(of.decision.monitors[k])) return {};
+  return Limits(of, k).slow_enough_held(fault);
 }
 
 std::vector<diag::Diagnostic> unkept_speed_limits(const Decided& of) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/analysis/decided.h"
+#include "compiler/analysis/trials.h"
 #include "compiler/diagnostics/engine.h"
 
 namespace rtac::analysis {
@@ -29,7 +30,14 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k);
 // given back: as it asks for no more than to be slow, or one side of its `or` does.
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
 
-// The same whatever keeps it moving while it holds its place.
+// Whether one that is braked and held fulfils it from when it stands on, whoever comes near: its
+// true speed is what counts, and not what it might reach once it was given back.
+bool holds_held(const ir::Decision& decision, const ir::Monitor& monitor);
+
+// What makes that so, and `fault` go: a limit that is higher, or other numbers that have been tried.
+std::vector<std::string> held_that_works(const Decided& of, std::size_t k, const Fault& fault);
+
+// Whether it is given back, too, whatever keeps it moving while it holds its place.
 bool holds_in_hold(const ir::Decision& decision, const ir::Monitor& monitor);
 
 // Whether it fulfils the property of `monitor` wherever it is while the recovery of monitor `k`

@@ -73,7 +73,7 @@ class WellFormed {
       for (diag::Diagnostic& found : unkept_company(decision)) {
         diagnostics_.report(std::move(found));
       }
-      for (diag::Diagnostic& found : unkept_agents(decision)) {
+      for (diag::Diagnostic& found : unkept_agents(decided)) {
         diagnostics_.report(std::move(found));
       }
       for (std::size_t k = 0; k < decision.monitors.size(); ++k) {

@@ -18,7 +18,7 @@ Rational value(const std::optional<sema::Quantity>& q) {
 // how far it may rest from its place, and from where it was latched.
 // And how fast it may be.
 struct Hold {
-  Rational sways, strays, speed;
+  Rational sways, strays, speed, latched;
 };
 constexpr long hold_most_radps = 2;
 Hold hold_of(const Numbers& n, const Rational& delay) {
@@ -38,7 +38,7 @@ Hold hold_of(const Numbers& n, const Rational& delay) {
   // as a velocity follows what acts on it
   const Rational follows =
       Rational(98, 100) * (omega * n.position_error + 2 * n.velocity_error + n.disturbance / omega);
-  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), follows};
+  return {sways, sways + latched * (Rational(7, 25) / omega + delay / 2), follows, latched};
 }
 
 // What grids, rounding and offsets known from inside only may add to a hold (docs/templates.md).
@@ -176,6 +176,7 @@ Numbers limits_of(const sema::RobotKind& kind, const sema::Decision& decision,
   // who promises to stay is measured at one end of its sway and may be at the other ever after
   if (kind.hears_max_age) n.hold = std::max(n.hold, Rational(2 * (hold.sways - n.position_error)));
   n.stands = std::min(n.speed, hold.speed);
+  n.latched = std::min(n.speed, hold.latched);
   return n;
 }
 

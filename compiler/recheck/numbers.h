@@ -20,6 +20,7 @@ struct Numbers {
   Rational aside, hold;
   Rational sway;      // how far from the place that it holds it may rest, as it measures itself
   Rational stands;    // how fast it may be there; 0 of wheels
+  Rational latched;   // how fast it may be where its brake turns into that; 0 of wheels
   Rational bend;      // of unicycles: share of the stopping distance
   bool half = false;  // of the sampled brake: which of two tubes
 };

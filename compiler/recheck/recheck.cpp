@@ -507,7 +507,7 @@ class Check {
   bool stands_and_holds(const sema::Decision& d, const sema::Monitor& m) {
     return m.recover && !judges_robots(spec_, d, *m.always) &&
            std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation) &&
-           Sides(spec_, d, claims_).holds_at_rest(m, return_extra(spec_, d));
+           Sides(spec_, d, claims_).holds_held(*m.always);
   }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     if (is_unsound(m.ahead)) {

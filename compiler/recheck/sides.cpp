@@ -195,8 +195,26 @@ bool Sides::holds_of_slow(const sema::Controller& recovery, const sema::Expr& pr
   return speed && slow(plain({&property, true}), *speed);
 }
 
-// An `or` with zones is kept as the zones say, and one with inputs where another recovery takes
-// over.
+// Wherever the robot is, of agents that are far enough.
+bool Sides::holds_far_from_agents(const Part& part) {
+  const Split parts = split(part);
+  if (parts.all) return std::ranges::all_of(parts.parts, holds_far_from_agents);
+  if (parts.any) return std::ranges::any_of(parts.parts, holds_far_from_agents);
+  const auto* compare = std::get_if<sema::Compare>(&part.expr->node);
+  if (compare == nullptr || !part.value) return false;
+  const bool least =
+      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
+  const bool most =
+      compare->op == sema::CompareOp::less || compare->op == sema::CompareOp::less_equal;
+  const auto is = [&](const sema::ExprPtr& far, const sema::ExprPtr& near) {
+    return std::holds_alternative<sema::AgentDistance>(far->node) &&
+           std::holds_alternative<sema::Constant>(near->node);
+  };
+  return (least && is(compare->left, compare->right)) || (most && is(compare->right, compare->left));
+}
+
+// An `or` with zones is kept as the zones say, and one with inputs or agents where another recovery
+// takes over.
 bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_over) {
   const Split parts = split(part);
   if (parts.all) {
@@ -210,7 +228,8 @@ bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_ov
     return !asks || slow(part, speed);
   }
   bool limits = false;
-  bool other = (taken_over && speaks_of_inputs(part)) || !all_zones(*part.expr).empty();
+  bool other = (taken_over && (speaks_of_inputs(part) || holds_far_from_agents(part))) ||
+               !all_zones(*part.expr).empty();
   sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
     limits = limits || (signal != nullptr && signal->signal == sema::Signal::speed);
@@ -364,6 +383,10 @@ bool Sides::holds_at_rest(const sema::Monitor& m, const Rational& extra) {
 
 bool Sides::holds_in_hold(const sema::Monitor& m, const Rational& extra) {
   return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_hold);
+}
+
+bool Sides::holds_held(const sema::Expr& property) {
+  return slow_side(plain({&property, true}), std::max(numbers_.stands, numbers_.latched));
 }
 
 bool Sides::holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra) {

@@ -200,7 +200,7 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
     return o;
   }
   const bool brakes = i.recovery.kind == ir::RecoveryKind::brake;
-  if (brakes && i.recovery.name == j.recovery.name && analysis::holds_at_rest(s.decision, j)) {
+  if (brakes && i.recovery.name == j.recovery.name && analysis::holds_held(s.decision, j)) {
     o.because += ", whose recovery it is, too: whoever comes near finds a robot that stands";
     return o;
   }

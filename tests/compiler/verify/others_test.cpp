@@ -185,5 +185,35 @@ decision lead for Guide { advanced tour; period 50 ms; priority touch > gentle; 
   EXPECT_EQ(statuses(far.out, "C", "gentle"), Statuses{"acknowledged"}) << far.out << far.err;
 }
 
+// Beside people it is slow or far: what counts is how fast it may be where its brake turns into a
+// hold, and not what it may reach once it is given back, which may be more than that or less.
+TEST_F(Others, WhoIsHeldSlowerThanItsLimitIsKeptWhoeverComesNear) {
+  const auto beside = [](const std::string& limit) {
+    const std::string text = carts_with("distance(x, worker) >= 1 m or x.speed <= " + limit,
+                                        "priority others > fence;", "Cart");
+    return edited(edited(edited(edited(text, " hold when violated \"people look after it\";", ""),
+                                "  hears other robots max_age 100 ms;\n", ""),
+                         "controller policy",
+                         "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
+                         "controller policy"),
+                  "accel <= 1 m/s^2", "accel <= 3 m/s^2");
+  };
+  // 3 cm/s and what it brakes in 135 ms, or 20 ms less than it gains: latched at 0.175 m/s
+  const Outcome kept = verified(beside("0.175 m/s"), {"-o", "certificates", "--format", "json"});
+  EXPECT_EQ(statuses(kept.out, "P2a", "others"), Statuses{"proved"}) << kept.out << kept.err;
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+  Json claims;
+  for (const Json& o : Json::parse(kept.out)["decisions"][0]["obligations"]) {
+    if (o["obligation"] == "P2a" && o.value("monitor", "") == "others") claims = o["claims"];
+  }
+  const Outcome fast = verified(beside("0.16 m/s"), {"-o", "certificates"});
+  EXPECT_NE(fast.err.find("a limit of 0.175 m/s"), std::string::npos) << fast.err;
+  const Outcome denied = rechecked_as_proved("P2a", claims);
+  EXPECT_NE((denied.out + denied.err).find("others may break it, whatever the recovery does"),
+            std::string::npos)
+      << denied.out << denied.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
