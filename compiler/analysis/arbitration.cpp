@@ -271,7 +271,7 @@ class Pair {
   bool keeps_in_zone(const ir::Recovery& step, ir::ZoneIndex fence,
                      std::optional<std::int64_t> beyond_mm) {
     const bool high = module_[fence].has_height() || module_[step.zone].has_height();
-    return (high ? in_space(step, fence) : in_plane(step, fence, beyond_mm)) &&
+    return (high ? in_space(step, fence, beyond_mm) : in_plane(step, fence, beyond_mm)) &&
            keeps_its_standoff(step, fence, beyond_mm) && comes_in(step, fence);
   }
   [[nodiscard]] bool keeps_by_border(const ir::Recovery& step, const Standoff& fence) const {
@@ -341,7 +341,7 @@ class Pair {
     entry_.change->lands = {static_cast<std::size_t>(&driving_ - decision_.monitors.data()), mm};
   }
   void offer_within(ir::ZoneIndex zone, ir::ZoneIndex fence) {
-    if (is_boundless(module_[fence])) return;
+    if (is_boundless(module_, fence)) return;
     const ir::Recovery& last = ir::last_step(recovery_);
     const std::string name = name_as_written(module_[fence]);
     entry_.within.push_back({last.kind == ir::RecoveryKind::route
@@ -399,7 +399,8 @@ class Pair {
     return false;
   }
   // What keeps its height (rule 7.8) is in the fence as long as that has the zone at each height.
-  bool in_space(const ir::Recovery& step, ir::ZoneIndex fence) {
+  bool in_space(const ir::Recovery& step, ir::ZoneIndex fence,
+                std::optional<std::int64_t> beyond_mm) {
     const ir::ZoneIndex zone = step.zone;
     if (!step.claims && lies_level(module_, exact_, solid_, zone, {fence, 0})) return true;
     const geometry::Solid beyond = solid_(zone).subtract(solid_(fence));
@@ -419,6 +420,7 @@ class Pair {
       entry_.why = "from " + metres(slab.floor) + " to " + metres(slab.ceiling) + " " + part;
     }
     offer_within(zone, fence);
+    offer_shared(zone, fence, beyond_mm);
     return false;
   }
   // Some height of the fence at which it does not contain the zone of the plane.

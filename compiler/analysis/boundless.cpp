@@ -28,6 +28,14 @@ bool is_boundless(const ir::ZoneTable& zone) {
   return std::ranges::any_of(zone.edges, is_at_the_end);
 }
 
+bool is_boundless(const ir::Module& module, ir::ZoneIndex zone) {
+  const ir::ZoneTable& table = module[zone];
+  return is_boundless(table) ||
+         std::ranges::any_of(table.slabs, [&](const ir::ZoneTable::Slab& slab) {
+           return is_boundless(module[slab.base]);
+         });
+}
+
 Box box_around(const ir::ZoneTable& zone, const std::vector<ir::SiteTable::Place>& places,
                std::int64_t wider_mm) {
   std::vector<std::int64_t> xs, ys;

@@ -15,6 +15,8 @@ namespace rtac::analysis {
 bool is_at_the_end(const ir::Edge& edge);
 // Of a zone of the plane: whether it reaches the end of the coordinates.
 bool is_boundless(const ir::ZoneTable& zone);
+// Or one with height, at some height.
+bool is_boundless(const ir::Module& module, ir::ZoneIndex zone);
 
 struct Box {  // m
   std::int64_t low_x = 0, low_y = 0, high_x = 0, high_y = 0;

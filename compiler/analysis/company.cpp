@@ -160,8 +160,7 @@ std::vector<diag::Diagnostic> unkept_agents(const Decided& of) {
                    "kept while the robot moves, not while it stands",
                    {},
                    slow + "`acknowledge " + recovery + " may break " + monitor.name + " \"why\"`" +
-                       (slow.empty() ? " works" : "") +
-                       ", with the reason why that is acceptable",
+                       (slow.empty() ? " works" : "") + ", with the reason why that is acceptable",
                    {}});
   }
   return all;

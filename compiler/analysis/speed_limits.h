@@ -34,7 +34,8 @@ bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor);
 // true speed is what counts, and not what it might reach once it was given back.
 bool holds_held(const ir::Decision& decision, const ir::Monitor& monitor);
 
-// What makes that so, and `fault` go: a limit that is higher, or other numbers that have been tried.
+// What makes that so, and `fault` go: a limit that is higher, or other numbers that have been
+// tried.
 std::vector<std::string> held_that_works(const Decided& of, std::size_t k, const Fault& fault);
 
 // Whether it is given back, too, whatever keeps it moving while it holds its place.

@@ -135,14 +135,32 @@ bool Trials::may_show() const {
   return shown_ < shown_most && effort_of_shown_ < effort_of_shown_most;
 }
 
-bool Trials::mends(const Faults& found, const Goal& goal) {
+std::set<diag::Code> Trials::wrong_with(const Faults& found, const Goal& goal) {
+  const Faults& written = as_written(goal.shown);
   const auto is_left = [&](const Fault& each) {
     const auto& all_of = goal.all_of;
     return all_of && is_of_places(each.code) && each.open.empty() && each.file == all_of->file &&
            each.begin >= all_of->begin && each.begin < all_of->end;
   };
-  return !found.all.contains(goal.fault) && std::ranges::none_of(found.all, is_left) &&
-         no_more_wrong(found, as_written(goal.shown));
+  std::set<diag::Code> codes;
+  for (const Fault& each : found.all) {
+    const bool comes = is_wrong(each) && !written.all.contains(each);
+    if (each == goal.fault || is_left(each) || comes) codes.insert(each.code);
+  }
+  return codes;
+}
+
+bool Trials::mends(const Faults& found, const Goal& goal) {
+  return wrong_with(found, goal).empty();
+}
+
+std::string Trials::left_last() const {
+  std::string text;
+  for (const diag::Code code : left_) {
+    text += (text.empty() ? "" : "; ") + std::to_string(static_cast<int>(code)) + ": " +
+            diag::info(code).title;
+  }
+  return text;
 }
 
 // What is not shown of another monitor has another cause.
@@ -195,6 +213,8 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   // to ask what is shown takes longer: first by the reports alone, and that is mostly it
   const Goal by_reports{fault, all_of, false}, shown{fault, all_of, true};
   const auto first = least_wrong(dial, guess, by_reports);
+  const Faults* const tried = first ? nullptr : known_of(dial.name, guess);
+  left_ = tried != nullptr ? wrong_with(*tried, by_reports) : std::set<diag::Code>{};
   if (first && is_remark(fault.code) && is_another_robot(dial.written, *first)) return std::nullopt;
   if (!first || reports_alone_) return first;
   // what nobody has the time to show is not said to work

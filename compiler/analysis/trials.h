@@ -80,6 +80,9 @@ class Trials {
   // which an error of places (5007, 5016) is left that begins in there.
   std::optional<std::int64_t> nearest(const Dial& dial, std::int64_t guess, const Fault& fault,
                                       const std::optional<SourceRange>& all_of = {});
+  // The errors that were left, or came, with the first number of the last search that found none:
+  // "4007: a zone is empty"; "": it was not tried, or for what is not shown.
+  [[nodiscard]] std::string left_last() const;
   // How much is not shown with a number that was found.
   [[nodiscard]] std::ptrdiff_t left_with(const std::string& dial, std::int64_t steps) const;
   // " (which leaves P2b open)": what is not shown with it of the monitor that `fault` is about. "":
@@ -106,6 +109,8 @@ class Trials {
   // Whether it is not too much to ask what is shown.
   [[nodiscard]] bool may_show() const;
   bool mends(const Faults& found, const Goal& goal);
+  // What is wrong with a number that it does not mend.
+  [[nodiscard]] std::set<diag::Code> wrong_with(const Faults& found, const Goal& goal);
   // What is not shown of the monitor that a fault is about, or of none.
   [[nodiscard]] std::vector<std::string> open_at(const Faults& found, const Fault& fault) const;
 
@@ -117,6 +122,7 @@ class Trials {
   std::int64_t effort_ = 0, effort_of_shown_ = 0;
   std::optional<Faults> as_written_;
   bool asked_ = false;  // what is not shown of it
+  std::set<diag::Code> left_;
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
 };
 

@@ -84,8 +84,9 @@ std::string needed_besides(const Trials* trials, const std::string& zone) {
     return "is needed" + (zone.empty() ? "" : ", such as `" + zone + "`") +
            ", which there was no time to try";
   }
+  const std::string left = trials != nullptr ? trials->left_last() : "";
   return "is needed, and not alone: " + (zone.empty() ? "" : "in `" + zone + "` ") +
-         "other errors are left";
+         "other errors are left" + (left.empty() ? "" : " (" + left + ")");
 }
 
 std::string written_as(const Trials& trials, const std::vector<ZonePart>& parts) {

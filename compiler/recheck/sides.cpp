@@ -210,7 +210,8 @@ bool Sides::holds_far_from_agents(const Part& part) {
     return std::holds_alternative<sema::AgentDistance>(far->node) &&
            std::holds_alternative<sema::Constant>(near->node);
   };
-  return (least && is(compare->left, compare->right)) || (most && is(compare->right, compare->left));
+  return (least && is(compare->left, compare->right)) ||
+         (most && is(compare->right, compare->left));
 }
 
 // An `or` with zones is kept as the zones say, and one with inputs or agents where another recovery

@@ -191,12 +191,13 @@ TEST_F(Others, WhoIsHeldSlowerThanItsLimitIsKeptWhoeverComesNear) {
   const auto beside = [](const std::string& limit) {
     const std::string text = carts_with("distance(x, worker) >= 1 m or x.speed <= " + limit,
                                         "priority others > fence;", "Cart");
-    return edited(edited(edited(edited(text, " hold when violated \"people look after it\";", ""),
-                                "  hears other robots max_age 100 ms;\n", ""),
-                         "controller policy",
-                         "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
-                         "controller policy"),
-                  "accel <= 1 m/s^2", "accel <= 3 m/s^2");
+    return edited(
+        edited(edited(edited(text, " hold when violated \"people look after it\";", ""),
+                      "  hears other robots max_age 100 ms;\n", ""),
+               "controller policy",
+               "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
+               "controller policy"),
+        "accel <= 1 m/s^2", "accel <= 3 m/s^2");
   };
   // 3 cm/s and what it brakes in 135 ms, or 20 ms less than it gains: latched at 0.175 m/s
   const Outcome kept = verified(beside("0.175 m/s"), {"-o", "certificates", "--format", "json"});
