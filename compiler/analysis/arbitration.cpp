@@ -89,7 +89,7 @@ class Pair {
       entry_.answered = by_itself_ && is_answered();
       return entry_;
     }
-    if (by_itself_ && others_may_break(decision_, judged_)) return before_others();
+    if (by_itself_ && others_may_break(decision_, judged_, recovery_)) return before_others();
     return std::nullopt;
   }
 

@@ -133,8 +133,10 @@ std::vector<diag::Diagnostic> unkept_company(const Decision& decision) {
   return all;
 }
 
-bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor) {
-  if (first_agent(monitor) != nullptr) return true;
+bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor,
+                      const ir::Recovery& drives) {
+  const bool obeys = drives.kind != RecoveryKind::external;
+  if (first_agent(monitor) && !(obeys && is_slow_beside_agents(decision, monitor))) return true;
   return decision.robots > 1 && !Company(decision, monitor).run().empty();
 }
 
@@ -147,10 +149,14 @@ std::vector<diag::Diagnostic> unkept_agents(const Decided& of) {
     const std::string& recovery = monitor.recovery.name;
     if (first == nullptr || acknowledged(decision, recovery, monitor.name)) continue;
     const bool brakes = monitor.recovery.kind == RecoveryKind::brake;
+    const bool obeys = monitor.recovery.kind != RecoveryKind::external;
     // who comes near a robot that stands finds it slow enough
-    if (brakes && holds_held(decision, monitor)) continue;
+    if ((brakes && holds_held(decision, monitor)) ||
+        (obeys && is_slow_beside_agents(decision, monitor))) {
+      continue;
+    }
     const Fault fault = fault_of(diag::Code::agent_unkept, first->source);
-    const auto works = brakes ? held_that_works(of, k, fault) : std::vector<std::string>{};
+    const auto works = obeys ? held_that_works(of, k, fault) : std::vector<std::string>{};
     const std::string slow = works.empty() ? "" : joined(works) + " works; or ";
     const std::string& agent = decision[std::get<AgentDistance>(first->op).agent].name;
     all.push_back({diag::Code::agent_unkept,

@@ -14,10 +14,10 @@ namespace rtac::analysis {
 // it. A count, `exists` and an `or` with something that one of the two has to itself are none.
 std::vector<diag::Diagnostic> unkept_company(const ir::Decision& decision);
 
-// Whether robots that pass their own checks, or agents, may break what a monitor says whatever the
-// robot itself does: what 6003 and 6004 are about, acknowledged or not. No recovery keeps that
-// then.
-bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor);
+// Whether robots that pass their own checks, or agents, may break what a monitor says whatever a
+// robot does that this recovery drives: what 6003 and 6004 are about, acknowledged or not.
+bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor,
+                      const ir::Recovery& drives);
 
 // 6004, of each monitor that speaks of agents: they obey no decision, so that what it says is kept
 // while the robot moves, and nobody keeps it while that stands.

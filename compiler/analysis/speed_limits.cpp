@@ -25,6 +25,58 @@ std::string speed_text(std::int64_t mmps) {
 
 constexpr const char* never_given_back = "` can never hand control back: ";
 
+bool asks_for_no_more_than(std::int64_t mmps, const ir::Block& block, ir::ValueId id) {
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) {
+    return asks_for_no_more_than(mmps, block, v->a) && asks_for_no_more_than(mmps, block, v->b);
+  }
+  if (const auto* v = std::get_if<ir::Or>(&op)) {
+    return asks_for_no_more_than(mmps, block, v->a) || asks_for_no_more_than(mmps, block, v->b);
+  }
+  // what it says of its own speed, whichever the other one is
+  if (const auto* each = std::get_if<ir::ForOthers>(&op)) {
+    return each->universal && asks_for_no_more_than(mmps, *each->body, each->body->result);
+  }
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  const auto most = compare ? ir::upper_bound(block, *compare) : std::nullopt;
+  return most && most->leaf.kind == ir::Leaf::Kind::speed && mmps <= most->most;
+}
+
+// Wherever the robot is, where agents are as far off as a side asks.
+bool holds_far_from_agents(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
+  const auto far = [&](ir::ValueId side) { return holds_far_from_agents(decision, block, side); };
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) return far(v->a) && far(v->b);
+  if (const auto* v = std::get_if<ir::Or>(&op)) return far(v->a) || far(v->b);
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  const auto bound =
+      compare ? ir::lower_bound(block, *compare, decision.facts.params) : std::nullopt;
+  return bound && bound->leaf.kind == ir::Leaf::Kind::agent;
+}
+
+bool speaks_of_agents(const ir::Block& block, ir::ValueId id) {
+  const auto of = [&](ir::ValueId part) { return speaks_of_agents(block, part); };
+  const ir::Op& op = block[id].op;
+  if (const auto* v = std::get_if<ir::And>(&op)) return of(v->a) || of(v->b);
+  if (const auto* v = std::get_if<ir::Or>(&op)) return of(v->a) || of(v->b);
+  if (const auto* v = std::get_if<ir::Not>(&op)) return of(v->a);
+  const auto* compare = std::get_if<ir::AtLeast>(&op);
+  if (compare == nullptr) return ir::body_of(op) != nullptr;  // of others, and who is near them
+  const auto& terms = ir::linear_form(block, *compare).terms;
+  return std::ranges::any_of(
+      terms, [](const auto& term) { return term.first.kind == ir::Leaf::Kind::agent; });
+}
+
+bool is_slow_beside_agents(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
+  if (const auto* v = std::get_if<ir::And>(&block[id].op)) {
+    return is_slow_beside_agents(decision, block, v->a) &&
+           is_slow_beside_agents(decision, block, v->b);
+  }
+  return !speaks_of_agents(block, id) ||
+         (holds_far_from_agents(decision, block, id) &&
+          asks_for_no_more_than(decision.body.stands_mmps, block, id));
+}
+
 // The limits of speed in the property of one monitor. What an `or` leaves open is a limit only
 // where nothing else of it holds.
 class Limits {
@@ -156,7 +208,7 @@ class Limits {
   // matter of who takes over (6005).
   [[nodiscard]] bool keeps(std::size_t k, ir::ValueId id) const {
     if (is_of_zones(k, id)) return true;
-    if (is_taken_over(k) && holds_far_from_agents(id)) return true;
+    if (yields_to_agents(k, id)) return true;
     const Pace found = pace(k, id);
     if (found != Pace::while_told) return found != Pace::broken;
     return decision_.monitors[k].recovery.name != monitor_.recovery.name;
@@ -167,19 +219,12 @@ class Limits {
     return &decision_.monitors[k] > &monitor_ && !decision_.coordinated &&
            decision_.monitors[k].recovery.name != monitor_.recovery.name;
   }
-  // Wherever the robot is: who comes near has its recovery drive, and who leaves has it let go.
-  [[nodiscard]] bool holds_far_from_agents(ir::ValueId id) const {
-    const ir::Op& op = block_[id].op;
-    if (const auto* v = std::get_if<ir::And>(&op)) {
-      return holds_far_from_agents(v->a) && holds_far_from_agents(v->b);
-    }
-    if (const auto* v = std::get_if<ir::Or>(&op)) {
-      return holds_far_from_agents(v->a) || holds_far_from_agents(v->b);
-    }
-    const auto* compare = std::get_if<ir::AtLeast>(&op);
-    if (compare == nullptr) return false;
-    const auto bound = ir::lower_bound(block_, *compare, decision_.facts.params);
-    return bound && bound->leaf.kind == ir::Leaf::Kind::agent;
+  // Who comes near has its own recovery drive, or the gate stop this one, which is slow enough
+  // then.
+  [[nodiscard]] bool yields_to_agents(std::size_t k, ir::ValueId id) const {
+    if (!holds_far_from_agents(decision_, block_, id)) return false;
+    const bool obeys = decision_.monitors[k].recovery.kind != ir::RecoveryKind::external;
+    return is_taken_over(k) || (obeys && is_slow_beside_agents(decision_, block_, id));
   }
 
   void report_no_return(const Limit& limit) {
@@ -373,26 +418,9 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) 
   return std::min(declared_mmps, std::max(mmps, holding_mmps(decision)));
 }
 
-namespace {
-
-bool asks_for_no_more_than(std::int64_t mmps, const ir::Block& block, ir::ValueId id) {
-  const ir::Op& op = block[id].op;
-  if (const auto* v = std::get_if<ir::And>(&op)) {
-    return asks_for_no_more_than(mmps, block, v->a) && asks_for_no_more_than(mmps, block, v->b);
-  }
-  if (const auto* v = std::get_if<ir::Or>(&op)) {
-    return asks_for_no_more_than(mmps, block, v->a) || asks_for_no_more_than(mmps, block, v->b);
-  }
-  // what it says of its own speed, whichever the other one is
-  if (const auto* each = std::get_if<ir::ForOthers>(&op)) {
-    return each->universal && asks_for_no_more_than(mmps, *each->body, each->body->result);
-  }
-  const auto* compare = std::get_if<ir::AtLeast>(&op);
-  const auto most = compare ? ir::upper_bound(block, *compare) : std::nullopt;
-  return most && most->leaf.kind == ir::Leaf::Kind::speed && mmps <= most->most;
+bool is_slow_beside_agents(const ir::Decision& decision, const ir::Monitor& monitor) {
+  return is_slow_beside_agents(decision, monitor.property, monitor.property.result);
 }
-
-}  // namespace
 
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
   const std::int64_t mmps = fastest_from_rest(decision, monitor.lookahead.duration_us);

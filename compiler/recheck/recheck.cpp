@@ -509,6 +509,12 @@ class Check {
            std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation) &&
            Sides(spec_, d, claims_).holds_held(*m.always);
   }
+  // The separation gate stops whatever moves before agents are nearer than is asked.
+  bool slow_beside_agents(const sema::Decision& d, const sema::Controller& drives,
+                          const sema::Monitor& m) {
+    return !sema::templates_of(drives).empty() && !judges_robots(spec_, d, *m.always) &&
+           Sides(spec_, d, claims_).slow_beside_agents(*m.always);
+  }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     if (is_unsound(m.ahead)) {
       fail(whom(d, e) + ": its look-ahead is declared unsound");
@@ -526,7 +532,8 @@ class Check {
     }
     const bool brakes =
         m.recover && std::holds_alternative<sema::BrakeAndHold>(spec_[*m.recover].implementation);
-    if (!stands_and_holds(d, m) && !kept_together(spec_, d, *m.always)) {
+    const bool slow = m.recover && slow_beside_agents(d, spec_[*m.recover], m);
+    if (!stands_and_holds(d, m) && !slow && !kept_together(spec_, d, *m.always)) {
       fail(whom(d, e) + ": others may break it, whatever the recovery does");
     }
     if (!brakes) {
@@ -643,7 +650,8 @@ class Check {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
       const bool alike = driving.recover == m.recover && stands_and_holds(d, m);
-      if (!alike && !kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
+      const bool slow = slow_beside_agents(d, spec_[*driving.recover], m);
+      if (!alike && !slow && !kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
         fail(whom(d, e) + ": others may break it, and nobody takes over");
       }
       within(d, e, driving, m);

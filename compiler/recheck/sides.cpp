@@ -229,7 +229,8 @@ bool Sides::within_limits(const Part& part, const Rational& speed, bool taken_ov
     return !asks || slow(part, speed);
   }
   bool limits = false;
-  bool other = (taken_over && (speaks_of_inputs(part) || holds_far_from_agents(part))) ||
+  const bool stopped = sema::speaks_of<sema::AgentDistance>(*part.expr) && slow_beside_agents(part);
+  bool other = (taken_over && (speaks_of_inputs(part) || holds_far_from_agents(part))) || stopped ||
                !all_zones(*part.expr).empty();
   sema::for_each_expr(*part.expr, [&](const sema::Expr& e) {
     const auto* signal = std::get_if<sema::SignalRef>(&e.node);
@@ -388,6 +389,21 @@ bool Sides::holds_in_hold(const sema::Monitor& m, const Rational& extra) {
 
 bool Sides::holds_held(const sema::Expr& property) {
   return slow_side(plain({&property, true}), std::max(numbers_.stands, numbers_.latched));
+}
+
+bool Sides::slow_beside_agents(const sema::Expr& property) {
+  return slow_beside_agents(plain({&property, true}));
+}
+
+bool Sides::slow_beside_agents(const Part& part) {
+  const Split parts = split(part);
+  if (parts.all) {
+    return std::ranges::all_of(parts.parts,
+                               [&](const Part& each) { return slow_beside_agents(each); });
+  }
+  return !sema::speaks_of<sema::AgentDistance>(*part.expr) ||
+         (holds_far_from_agents(part) &&
+          slow_side(part, std::max(numbers_.stands, numbers_.latched)));
 }
 
 bool Sides::holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra) {

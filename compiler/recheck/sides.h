@@ -46,6 +46,8 @@ class Sides {
   bool holds_in_hold(const sema::Monitor& m, const Rational& extra);
   // That who is braked and held fulfils a property from when it stands on, whoever comes near.
   bool holds_held(const sema::Expr& property);
+  // That each part of what it says of agents holds where they are far, and of whoever is held.
+  bool slow_beside_agents(const sema::Expr& property);
   // The same as at rest of a part of what it says.
   bool holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra);
   // That this is a limit of speed that a robot at rest is seen to exceed, as far as it looks ahead.
@@ -73,6 +75,7 @@ class Sides {
   static std::optional<Part> of_each(const Part& part);
   static bool speaks_of_inputs(const Part& part);
   static bool holds_far_from_agents(const Part& part);
+  bool slow_beside_agents(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
   bool is_faster(const sema::Controller& recovery, const Part& part);
   bool is_slow(const sema::Controller& recovery, const Split& parts);

@@ -431,8 +431,13 @@ Obligation keeps_others(const Subject& s, const analysis::Entry& entry, std::siz
       o = within_what_is_declared(s, std::move(o));
     }
   }
-  return analysis::others_may_break(s.decision, j) ? among_others(s, driving, judged, std::move(o))
-                                                   : o;
+  if (analysis::others_may_break(s.decision, j, i.recovery)) {
+    return among_others(s, driving, judged, std::move(o));
+  }
+  if (atoms_of(j.property).agent) {
+    o.because += ", whoever comes near: the separation gate stops it, and then it is slow enough";
+  }
+  return o;
 }
 
 }  // namespace rtac::verify

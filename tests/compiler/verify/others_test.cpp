@@ -187,33 +187,78 @@ decision lead for Guide { advanced tour; period 50 ms; priority touch > gentle; 
 
 // Beside people it is slow or far: what counts is how fast it may be where its brake turns into a
 // hold, and not what it may reach once it is given back, which may be more than that or less.
-TEST_F(Others, WhoIsHeldSlowerThanItsLimitIsKeptWhoeverComesNear) {
-  const auto beside = [](const std::string& limit) {
-    const std::string text = carts_with("distance(x, worker) >= 1 m or x.speed <= " + limit,
-                                        "priority others > fence;", "Cart");
-    return edited(
-        edited(edited(edited(text, " hold when violated \"people look after it\";", ""),
-                      "  hears other robots max_age 100 ms;\n", ""),
-               "controller policy",
-               "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
-               "controller policy"),
-        "accel <= 1 m/s^2", "accel <= 3 m/s^2");
-  };
-  // 3 cm/s and what it brakes in 135 ms, or 20 ms less than it gains: latched at 0.175 m/s
-  const Outcome kept = verified(beside("0.175 m/s"), {"-o", "certificates", "--format", "json"});
-  EXPECT_EQ(statuses(kept.out, "P2a", "others"), Statuses{"proved"}) << kept.out << kept.err;
-  const Outcome again = recheck_sealed_anew();
-  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
-  Json claims;
-  for (const Json& o : Json::parse(kept.out)["decisions"][0]["obligations"]) {
-    if (o["obligation"] == "P2a" && o.value("monitor", "") == "others") claims = o["claims"];
+class BesidePeople : public Others {
+ protected:
+  // Stopped by 1 m/s^2 after 135 ms, measured to within 2 cm/s, a cart is held at 0.175 m/s at
+  // most.
+  static std::string beside(const std::string& limit, const std::string& order,
+                            const std::string& recovery = "stop") {
+    std::string text =
+        carts_with("distance(x, worker) >= 1 m or x.speed <= " + limit, order, "Cart");
+    text = edited(text, " hold when violated \"people look after it\";", "");
+    text = edited(text, "  hears other robots max_age 100 ms;\n", "");
+    text = edited(text, "accel <= 1 m/s^2", "accel <= 3 m/s^2");
+    text = edited(text, "recover stop", "recover " + recovery);
+    return edited(text, "controller policy",
+                  "agent worker : radius 25 cm, speed <= 1.6 m/s error 5 cm max_age 200 ms;\n"
+                  "controller policy");
   }
-  const Outcome fast = verified(beside("0.16 m/s"), {"-o", "certificates"});
-  EXPECT_NE(fast.err.find("a limit of 0.175 m/s"), std::string::npos) << fast.err;
-  const Outcome denied = rechecked_as_proved("P2a", claims);
-  EXPECT_NE((denied.out + denied.err).find("others may break it, whatever the recovery does"),
-            std::string::npos)
-      << denied.out << denied.err;
+  // What is said of `others`, and what that rests on.
+  static std::pair<std::string, Json> found(const Outcome& o, const std::string& kind) {
+    const Json report = Json::parse(o.out);
+    for (const Json& each : report["decisions"][0]["obligations"]) {
+      if (each["obligation"] == kind && each.value("monitor", "") == "others") {
+        return {each["status"], each.value("claims", Json::array())};
+      }
+    }
+    return {};
+  }
+};
+TEST_F(BesidePeople, WhoIsHeldSlowerThanItsLimitKeepsItWhoeverComesNear) {
+  const std::string first = "priority others > fence;";
+  for (const std::string& recovery : {"stop", "back"}) {
+    const Outcome kept =
+        verified(beside("0.175 m/s", first, recovery), {"-o", "certificates", "--format", "json"});
+    EXPECT_EQ(kept.status, exit_clean) << kept.out << kept.err;
+    const Outcome again = recheck();
+    EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+    const auto [status, claims] = found(kept, "P2a");
+    EXPECT_EQ(status, "proved");
+    const Outcome fast = verified(beside("0.174 m/s", first, recovery), {"-o", "certificates"});
+    EXPECT_EQ(fast.status, exit_violation) << fast.out;
+    EXPECT_NE(fast.err.find("a limit of 0.175 m/s"), std::string::npos) << fast.err;
+    const Outcome denied = rechecked_as_proved("P2a", claims);
+    EXPECT_NE((denied.out + denied.err).find("others may break it, whatever the recovery does"),
+              std::string::npos)
+        << denied.out << denied.err;
+  }
+}
+// Whatever it drives for, and though it is twice as fast elsewhere.
+TEST_F(BesidePeople, TheGateStopsARecoveryThatIsFasterThanTheLimit) {
+  for (const std::string& order :
+       {"priority others > fence;", "priority fence > others;", "coordinate fence > others;"}) {
+    const Outcome kept =
+        verified(beside("0.175 m/s", order), {"-o", "certificates", "--format", "json"});
+    EXPECT_EQ(kept.status, exit_clean) << order << kept.out << kept.err;
+    const Outcome again = recheck();
+    EXPECT_EQ(again.status, exit_clean) << order << again.out << again.err;
+  }
+  const std::string high = "priority fence > others;";
+  const Outcome kept = verified(beside("0.175 m/s", high), {"--format", "json"});
+  // nobody stops it before a third of a metre per second is too fast
+  const Outcome fast = verified(edited(beside("0.174 m/s", high), "recover stop;",
+                                       "recover stop; hold when violated \"so be it\";"),
+                                {"-o", "certificates", "--format", "json"});
+  EXPECT_EQ(found(fast, "C").first, "unknown") << fast.out;
+  const Outcome denied = rechecked_as_proved("C", found(kept, "C").second);
+  EXPECT_EQ(denied.status, exit_violation) << denied.out << denied.err;
+}
+// An application may do something else than stop where the gate tells it to.
+TEST_F(BesidePeople, WhatIsExternalIsNotTakenToStop) {
+  const std::string text =
+      edited(beside("0.175 m/s", "priority fence > others;"), "= retreat within yard speed 0.3 m/s",
+             "extern keeps inside yard speed <= 0.3 m/s");
+  EXPECT_EQ(status(text), "unknown");
 }
 
 }  // namespace
