@@ -49,6 +49,9 @@ std::int64_t dwell_ticks(const sema::Decision& decision);
 // velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
 Rational pushed(const Numbers& n);
 
+// How fast a robot may be whose recovery means to drive at `speed`, above 0 (docs/lemmas.md, speed).
+Rational fastest_driven(const Numbers& n, bool in_space, const Rational& speed);
+
 // How much clearance of the measured centre lets a robot at rest be given back, when the test looks
 // `ahead` s ahead from a sample as old as it may be: the disc, stop and hold included.
 // `accel`: planar, at least.

@@ -173,9 +173,8 @@ std::optional<Rational> Sides::speed_of(const sema::Controller& recovery) const 
 }
 
 Rational Sides::while_driving(const Rational& speed) const {
-  // a point mass measures how fast it is
-  const Rational strays = numbers_.unicycle || speed == 0 ? Rational(0) : numbers_.velocity_error;
-  const Rational drives = speed == 0 ? Rational(0) : Rational(speed + pushed(numbers_) + strays);
+  const bool in_space = spec_[decision_.kind].in_space;
+  const Rational drives = speed == 0 ? speed : fastest_driven(numbers_, in_space, speed);
   return std::min(numbers_.speed, std::max(drives, numbers_.stands));
 }
 
