@@ -264,6 +264,7 @@ class Recoveries {
     const std::int64_t ahead_ms = ahead_us / 1000, latency_ms = (latency_us + 999) / 1000;
     const auto longer = lookahead_that_works(
         *trials_, {fault, 1000, ahead_ms, latency_ms, 2 * latency_ms}, monitor_.name);
+    const std::string left = longer ? "" : trials_->left_last();
     sema::RobotKind& kind = trials_->spec().kinds[static_cast<std::size_t>(written_.kind)];
     const auto sooner = quantity_that_works(*trials_, {fault, 1000, 0, ahead_ms, 0},
                                             "latency of " + kind.name, kind.latency);
@@ -273,8 +274,10 @@ class Recoveries {
       return "`ahead " + std::to_string(*longer) + " ms` works" + (sooner ? ", or " + latency : "");
     }
     return sooner ? latency + " works"
-                  : as_tried(trials_, "no number alone works: `ahead " + millis(latency_us) +
-                                          "` or less of a latency, and a wider zone are needed");
+                  : as_tried(trials_, "`ahead " + millis(latency_us) +
+                                          "` or less of a latency is needed, and not alone: other "
+                                          "errors are left" +
+                                          (left.empty() ? "" : " (" + left + ")"));
   }
   // With a look-ahead that covers the latency, each zone that a recovery of the decision ends in,
   // or that a property keeps the robot in, has a place to return to.

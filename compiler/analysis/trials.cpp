@@ -220,11 +220,19 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
   // what nobody has the time to show is not said to work
   if (!may_show()) ran_out_ = true;
   const auto best = may_show() ? least_wrong(dial, *first, shown) : std::nullopt;
-  if (!best) return std::nullopt;
+  if (!best) return cannot_be_shown(dial, *first) && !is_remark(fault.code) ? first : std::nullopt;
   // a report that is gone may have been about one place of several
   const auto found = known_.find({dial.name, *best});
   const bool is_shown = found->second && open_at(*found->second, fault).empty();
   return is_remark(fault.code) && !is_shown ? std::nullopt : best;
+}
+
+// Other errors, of what is written, too, leave nothing of which anything could be shown: what the
+// reports say is all that is known.
+bool Trials::cannot_be_shown(const Dial& dial, std::int64_t steps) {
+  const Faults* const found = known_of(dial.name, steps);
+  return may_show() && found != nullptr && !found->complete && wrong(*found) > 0 &&
+         !as_written(true).complete;
 }
 
 std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,

@@ -109,6 +109,7 @@ class Trials {
   // Whether it is not too much to ask what is shown.
   [[nodiscard]] bool may_show() const;
   bool mends(const Faults& found, const Goal& goal);
+  bool cannot_be_shown(const Dial& dial, std::int64_t steps);
   // What is wrong with a number that it does not mend.
   [[nodiscard]] std::set<diag::Code> wrong_with(const Faults& found, const Goal& goal);
   // What is not shown of the monitor that a fault is about, or of none.

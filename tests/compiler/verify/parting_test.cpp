@@ -145,5 +145,43 @@ TEST_F(PartingInABasin, TheDeadEndIsNamed) {
   EXPECT_NE(o.out.find("robots that hold near (2"), std::string::npos) << o.out;
 }
 
+// Cells across the aisle from each other lie exactly as far apart as robots have to be to be given
+// back: whether that is a little less in doubles makes no difference.
+TEST_F(Verify, RobotsAcrossAnAisleThatAreGivenBackNeedNotPart) {
+  const std::string text = R"(spec racks;
+zone hall  = rectangle (0 m, 0 m) to (30 m, 20 m);
+zone racks = rectangle (5 m, 4 m) to (25 m, 6 m) | rectangle (5 m, 10 m) to (25 m, 12 m);
+zone drivable = hall - racks;
+robot Amr {
+  body     radius 40 cm;
+  motion   unicycle { speed <= 1.2 m/s; turn <= 2 rad/s; accel <= 0.8 m/s^2; brake >= 1 m/s^2; turn_accel <= 5 rad/s^2; }
+  sense    position : point   error 3 cm   max_age 100 ms;
+  sense    heading  : angle   error 1 deg  max_age 100 ms;
+  sense    velocity : vector  error 2 cm/s max_age 100 ms;
+  sense    battery  : ratio   error 1 %    max_age 2 s;
+  hears    other robots       max_age 200 ms;
+  output   drive : twist;
+  latency  40 ms;
+  energy   { drive <= 0.1 %/m; idle <= 0.005 %/s; drain <= 0.15 %/s; charge >= 0.5 %/s at dock; held <= 60 s; detour <= 10 m; }
+}
+fleet a, b : Amr;
+site dock(a) = (2 m, 18 m);
+site dock(b) = (28 m, 18 m);
+controller nav  : advanced for Amr extern;
+controller aside : safe for Amr = yield within drivable speed 0.3 m/s order id;
+controller back : safe for Amr = retreat within drivable speed 0.4 m/s;
+controller home : safe for Amr = route to dock within drivable speed 0.5 m/s;
+monitor apart for r : Amr { "SR-1: AMRs keep 30 cm apart" always forall q : Amr, q != r : distance(r, q) >= 0.133 m; recover aside; }
+monitor fence for r : Amr { "SR-2: off the racks" always r inside drivable; recover back; }
+monitor charge for r : Amr { "SR-3: reaches its dock" always r.battery >= energy_to(dock(r)) + 10 %; recover home; return when r.battery >= 80 %; }
+decision drive for Amr { advanced nav; period 50 ms; priority apart > fence > charge;
+  acknowledge aside may break charge "waiting is in held"; }
+)";
+  const Outcome o = verified(text, {"--format", "json", "-o", "certificates"});
+  ASSERT_EQ(statuses(o.out, "P2b", "apart"), Statuses{"proved"}) << o.out << o.err;
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

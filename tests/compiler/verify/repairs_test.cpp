@@ -470,5 +470,38 @@ decision drive for Cart { advanced go; period 100 ms; priority people_off > wall
   EXPECT_EQ(repair.find("priority"), std::string::npos) << repair;
 }
 
+// Where one error leaves nothing of which anything could be shown, the numbers of the others are
+// offered as their reports have them, and with all of them it is proved.
+TEST_F(Repaired, OfErrorsThatLeaveNothingToShowEachGetsItsNumber) {
+  const std::string text = R"(spec lift;
+zone yard = rectangle (0 m, 0 m) to (30 m, 12 m);
+robot Lift {
+  body     radius 1.2 m;
+  motion   unicycle { speed <= 2 m/s; turn <= 1 rad/s; accel <= 1 m/s^2; brake >= 1.5 m/s^2; turn_accel <= 2 rad/s^2; }
+  sense    position : point   error 5 cm   max_age 100 ms;
+  sense    heading  : angle   error 1 deg  max_age 100 ms;
+  sense    velocity : vector  error 3 cm/s max_age 100 ms;
+  output   drive : twist;
+  latency  60 ms;
+}
+fleet lift : Lift;
+controller auto : advanced for Lift extern;
+controller back : safe for Lift = retreat within yard speed 0.25 m/s;
+monitor walls for l : Lift { "SR-1: in" always l inside yard; recover back; }
+decision guard for Lift { advanced auto; period 50 ms; priority walls; }
+)";
+  const std::string steered = repair_of(text, "P2a", "walls"),
+                    timely = repair_of(text, "P1a", "walls");
+  const double error = number_after(steered, "an `error` of the position of at most ");
+  EXPECT_NE(timely.find("`ahead 60 ms` works"), std::string::npos) << timely;
+  const auto with = [&](double m) {
+    return edited(edited(text, "error 5 cm ", "error " + std::to_string(m) + " m "),
+                  "always l inside yard;", "always l inside yard; ahead 60 ms;");
+  };
+  EXPECT_TRUE(proved(with(error), "P2a", "walls")) << steered;
+  EXPECT_TRUE(proved(with(error), "P1a", "walls")) << timely;
+  EXPECT_FALSE(proved(with(1.05 * error), "P2a", "walls")) << steered;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test

@@ -172,5 +172,40 @@ TEST_F(FastRecovery, TheRecheckDeniesAProof) {
       << o.out << o.err;
 }
 
+// In space it follows a hold that is carried, which wind and errors move as much as one that stays:
+// by more than its velocity lags behind.
+TEST_F(FastRecovery, InWindItIsAsFastAsTheHoldThatItFollows) {
+  const auto calm = [](const std::string& limit) {
+    return R"(spec gusts;
+zone air = box (0 m, 0 m, 0 m) to (20 m, 20 m, 12 m);
+robot Quad {
+  body radius 30 cm;
+  motion point { speed <= 3 m/s; accel <= 2 m/s^2; brake >= 2 m/s^2; disturbance <= 0.3 m/s^2; }
+  sense position : point3 error 8 cm max_age 60 ms;
+  sense velocity : vector3 error 6 cm/s max_age 60 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller pilot : advanced for Quad extern;
+controller back  : safe for Quad = retreat within air speed 0.5 m/s;
+controller stop  : safe for Quad = brake_and_hold;
+monitor fence for r : Quad { "R1: in" always r inside air; recover back; }
+monitor slow  for r : Quad { "R2: slow" always r.speed <= )" +
+           limit + R"( m/s; recover stop; }
+decision go for Quad { advanced pilot; period 50 ms; priority fence > slow; }
+)";
+  };
+  ASSERT_EQ(verified(calm("1.4"), {"-o", "certificates"}).status, exit_clean);
+  const Outcome agreed = recheck_sealed_anew();
+  EXPECT_EQ(agreed.status, exit_clean) << agreed.out << agreed.err;
+  const Outcome fast = verified(calm("0.8"), {"--format", "json"});
+  EXPECT_EQ(statuses(fast.out, "C", "slow"), Statuses{"unknown"}) << fast.out;
+  write("certificates/sources/spec.rta", calm("0.8"));
+  const Outcome o = recheck_sealed_anew();
+  EXPECT_NE((o.out + o.err).find("`back` drives faster than `slow` allows"), std::string::npos)
+      << o.out << o.err;
+}
+
 }  // namespace
 }  // namespace rtac::driver::test
