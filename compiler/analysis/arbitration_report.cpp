@@ -5,6 +5,7 @@
 #include "compiler/analysis/arbitration.h"
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/limits.h"
+#include "compiler/analysis/paces.h"
 #include "compiler/ir/acknowledged.h"
 #include "compiler/ir/linear.h"
 #include "compiler/support/words.h"
@@ -22,10 +23,21 @@ std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Ar
            !ir::acknowledged(decision, decision.monitors[i].recovery.name,
                              decision.monitors[j].name);
   };
+  const auto last = [&](std::size_t k) {
+    return ir::last_step(decision.monitors[k].recovery).kind;
+  };
+  // Who goes to a place takes turns with whoever stops it on its way, and who drives for as long as
+  // inputs say so with whoever leads out of what it breaks.
+  const auto takes_turns = [&](std::size_t i, std::size_t j) {
+    const ir::Monitor &asks = decision.monitors[i], &stops = decision.monitors[j];
+    const bool moves = last(i) != ir::RecoveryKind::brake;
+    const bool leads_out = last(j) != ir::RecoveryKind::brake && stops.hold_reason.empty();
+    return last(i) == ir::RecoveryKind::route ||
+           (moves && leads_out && told(asks.property, asks.property.result));
+  };
   for (std::size_t i = 0; i < count; ++i) {
-    if (ir::last_step(decision.monitors[i].recovery).kind != ir::RecoveryKind::route) continue;
     for (std::size_t j = 0; j < count; ++j) {
-      if (breaks(i, j)) return {};
+      if (breaks(i, j) && takes_turns(i, j)) return {};
     }
   }
   std::vector<std::size_t> order;
@@ -132,10 +144,11 @@ class Report {
       if (!order.empty() && works({order}, breach, found, at)) offer(priority_of(decision_, order));
     }
     // what mends one pair alone mends nothing while there is another one
-    const Entry& first = row[breach.monitors.front()];
-    const bool all = std::ranges::all_of(breach.monitors,
-                                         [&](std::size_t j) { return row[j].help == first.help; });
-    if (all && (!first.change || works(*first.change, breach, found, at))) offer(first.help);
+    const Entry& most = asks_most(row, breach.monitors);
+    const bool all = std::ranges::all_of(breach.monitors, [&](std::size_t j) {
+      return row[j].help == most.help || (landing(row[j]) && landing(most));
+    });
+    if (all && (!most.change || works(*most.change, breach, found, at))) offer(most.help);
     offer(slower(breach, found[at]));
     if (text.empty()) offer(needed_elsewhere(breach, found[at]));
     std::string accepted;
@@ -145,6 +158,17 @@ class Report {
                   " \"why\";`";
     }
     offer(accepted);
+  }
+  static std::optional<std::int64_t> landing(const Entry& entry) {
+    if (!entry.change || !entry.change->lands) return std::nullopt;
+    return entry.change->lands->second;
+  }
+  // Who lands as high as any of them asks for keeps all of them.
+  static const Entry& asks_most(const std::vector<Entry>& row,
+                                const std::vector<std::size_t>& monitors) {
+    const std::size_t most = *std::ranges::max_element(
+        monitors, {}, [&](std::size_t j) { return landing(row[j]); });
+    return row[most];
   }
   // The greatest speed at which it breaks none of them, where they ask for less than it has.
   [[nodiscard]] std::string slower(const Breach& breach, const diag::Diagnostic& of) const {

@@ -385,6 +385,58 @@ decision fly for Quad { advanced policy; period 50 ms; priority radio > limit; }
   EXPECT_TRUE(compiled(page("-1 m", "<= 10 m"))->diagnostics.all().empty());
 }
 
+// Of what several monitors ask for the highest landing keeps all. Below them it would take turns
+// with what leads up again for as long as the link is lost: such an order is not offered.
+TEST(Offers, ALandingIsHighEnoughForAllThatItWouldLeave) {
+  const auto page = [](const std::string& height, const std::string& recovers) {
+    return R"(spec greenhouse;
+zone farm  = box (0 m, 0 m, 0 m) to (80 m, 60 m, 30 m);
+zone green = box (30 m, 20 m, 0 m) to (50 m, 40 m, 6 m);
+zone air   = farm - grow(green, 4 m);
+input link : bool max_age 1 s;
+robot Quad {
+  body radius 40 cm;
+  motion point { speed <= 4 m/s; accel <= 3 m/s^2; brake >= 3 m/s^2; }
+  sense position : point3 error 10 cm max_age 50 ms;
+  sense velocity : vector3 error 8 cm/s max_age 50 ms;
+  output thrust : acceleration;
+  latency 30 ms;
+}
+fleet q : Quad;
+controller survey : advanced for Quad extern;
+controller down : safe for Quad = land to )" +
+           height + R"( speed 0.6 m/s;
+controller back : safe for Quad = retreat within air speed 1 m/s;
+controller stay : safe for Quad = brake_and_hold;
+monitor linked for d : Quad { "R1" always link; recover down; }
+monitor glass for d : Quad { "R2" always distance(d, green) >= 3 m; recover )" +
+           recovers + R"(; }
+monitor fence for d : Quad { "R3" always d inside farm; recover )" +
+           recovers + R"(; }
+decision fly for Quad { advanced survey; period 50 ms; priority linked > glass > fence; }
+)";
+  };
+  const std::string low = reports(*compiled(page("1 m", "back")));
+  const std::string before = "`land to ";
+  const std::size_t at = low.find(before);
+  ASSERT_NE(at, std::string::npos) << low;
+  const double works = std::stod(low.substr(at + before.size()));
+  const auto breaks = [&](double metres) {
+    return has(*compiled(page(std::to_string(metres) + " m", "back")), diag::Code::recovery_breaks);
+  };
+  EXPECT_FALSE(breaks(works)) << low;
+  EXPECT_TRUE(breaks(0.95 * works)) << low;
+  EXPECT_EQ(low.find("`priority glass"), std::string::npos) << low;
+  // who only stands leads nowhere from where it came down
+  const std::string standing =
+      edited(edited(page("1 m", "stay"), "3 m; recover stay;",
+                    "3 m; recover stay; hold when violated \"a pilot\";"),
+             "farm; recover stay;", "farm; recover stay; hold when violated \"a pilot\";");
+  EXPECT_NE(reports(*compiled(standing)).find("`priority glass > fence > linked;` works"),
+            std::string::npos)
+      << reports(*compiled(standing));
+}
+
 // Where neither of two errors alone is too much, both are told, each by the same share.
 TEST(Offers, ErrorsThatAreTooMuchTogetherAreToldTogether) {
   const auto cart = [](double place_m, double speed_mps) {
