@@ -166,8 +166,8 @@ class Report {
   // Who lands as high as any of them asks for keeps all of them.
   static const Entry& asks_most(const std::vector<Entry>& row,
                                 const std::vector<std::size_t>& monitors) {
-    const std::size_t most = *std::ranges::max_element(
-        monitors, {}, [&](std::size_t j) { return landing(row[j]); });
+    const std::size_t most =
+        *std::ranges::max_element(monitors, {}, [&](std::size_t j) { return landing(row[j]); });
     return row[most];
   }
   // The greatest speed at which it breaks none of them, where they ask for less than it has.

@@ -38,9 +38,9 @@ bool holds_held(const ir::Decision& decision, const ir::Monitor& monitor);
 // tried.
 std::vector<std::string> held_that_works(const Decided& of, std::size_t k, const Fault& fault);
 
-// Whether what it says of agents is kept whoever comes near, and whatever recovery drives that obeys
-// the separation gate: while that moves the gate keeps them as far off as is asked, and where it is
-// held it is as slow as another side of each `or` asks. So is one that speaks of no agent.
+// Whether what it says of agents is kept whoever comes near, and whatever recovery drives that
+// obeys the separation gate: while that moves the gate keeps them as far off as is asked, and where
+// it is held it is as slow as another side of each `or` asks. So is one that speaks of no agent.
 bool is_slow_beside_agents(const ir::Decision& decision, const ir::Monitor& monitor);
 
 // Whether it is given back, too, whatever keeps it moving while it holds its place.

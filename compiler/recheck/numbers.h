@@ -49,7 +49,8 @@ std::int64_t dwell_ticks(const sema::Decision& decision);
 // velocity follows with a time constant of two delays, 0.3 s at least (docs/templates.md).
 Rational pushed(const Numbers& n);
 
-// How fast a robot may be whose recovery means to drive at `speed`, above 0 (docs/lemmas.md, speed).
+// How fast a robot may be whose recovery means to drive at `speed`, above 0 (docs/lemmas.md,
+// speed).
 Rational fastest_driven(const Numbers& n, bool in_space, const Rational& speed);
 
 // How much clearance of the measured centre lets a robot at rest be given back, when the test looks
