@@ -436,6 +436,9 @@ Obligation led_back(const Subject& s, std::size_t k, Obligation o) {
     o.because = atoms.only_facts()
                     ? "a robot at rest keeps its place until the inputs let it go on"
                     : "at rest the robot is as slow as every limit of " + quoted(m.name);
+    if (atoms.agent && !analysis::holds_in_hold(s.decision, m)) {
+      o.because += ", as soon as no agent is as near as it asks";
+    }
     o.claims.push_back(limits_claim(s));
     o.claims.push_back(recovery_claim(s, k));
     const bool asks = atoms.only_speed() || atoms.charge || judges_others(m.property);

@@ -222,6 +222,7 @@ TEST_F(BesidePeople, WhoIsHeldSlowerThanItsLimitKeepsItWhoeverComesNear) {
     EXPECT_EQ(kept.status, exit_clean) << kept.out << kept.err;
     const Outcome again = recheck();
     EXPECT_EQ(again.status, exit_clean) << again.out << again.err;
+    EXPECT_NE(kept.out.find(", as soon as no agent "), std::string::npos) << kept.out;
     const auto [status, claims] = found(kept, "P2a");
     EXPECT_EQ(status, "proved");
     const Outcome fast = verified(beside("0.174 m/s", first, recovery), {"-o", "certificates"});
