@@ -19,13 +19,22 @@ bool is_of(Leaf::Kind kind, const Block& block, const AtLeast& compare) {
   return form.terms.size() == 1 && form.terms.begin()->first.kind == kind;
 }
 
-// Where a monitor speaks of an agent first; null: it does not.
-const Value* first_agent(const Monitor& monitor) {
-  const auto& values = monitor.property.values;
-  const auto at = std::find_if(values.begin(), values.end(), [](const Value& v) {
-    return std::holds_alternative<AgentDistance>(v.op);
+// Where it speaks of an agent first, also of one beside each other robot; null: it does not.
+const Value* first_agent(const Block& block) {
+  for (const Value& value : block.values) {
+    if (std::holds_alternative<AgentDistance>(value.op)) return &value;
+    const Block* const others = body_of(value.op);
+    if (const Value* const found = others != nullptr ? first_agent(*others) : nullptr) return found;
+  }
+  return nullptr;
+}
+
+// What is said of an agent for each other robot is about both.
+bool is_beside_robots(const Block& block) {
+  return std::ranges::any_of(block.values, [](const Value& value) {
+    const Block* const others = body_of(value.op);
+    return others != nullptr && first_agent(*others) != nullptr;
   });
-  return at == values.end() ? nullptr : &*at;
 }
 
 // What is broken by a robot whose own check passes, of one monitor.
@@ -136,7 +145,8 @@ std::vector<diag::Diagnostic> unkept_company(const Decision& decision) {
 bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor,
                       const ir::Recovery& drives) {
   const bool obeys = drives.kind != RecoveryKind::external;
-  if (first_agent(monitor) && !(obeys && is_slow_beside_agents(decision, monitor))) return true;
+  if (first_agent(monitor.property) && !(obeys && is_slow_beside_agents(decision, monitor)))
+    return true;
   return decision.robots > 1 && !Company(decision, monitor).run().empty();
 }
 
@@ -145,13 +155,13 @@ std::vector<diag::Diagnostic> unkept_agents(const Decided& of) {
   std::vector<diag::Diagnostic> all;
   for (std::size_t k = 0; k < decision.monitors.size(); ++k) {
     const Monitor& monitor = decision.monitors[k];
-    const Value* const first = first_agent(monitor);
+    const Value* const first = first_agent(monitor.property);
     const std::string& recovery = monitor.recovery.name;
     if (first == nullptr || acknowledged(decision, recovery, monitor.name)) continue;
     const bool brakes = monitor.recovery.kind == RecoveryKind::brake;
     const bool obeys = monitor.recovery.kind != RecoveryKind::external;
     // who comes near a robot that stands finds it slow enough
-    if ((brakes && holds_held(decision, monitor)) ||
+    if ((brakes && holds_held(decision, monitor) && !is_beside_robots(monitor.property)) ||
         (obeys && is_slow_beside_agents(decision, monitor))) {
       continue;
     }

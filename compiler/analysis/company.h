@@ -20,7 +20,7 @@ bool others_may_break(const ir::Decision& decision, const ir::Monitor& monitor,
                       const ir::Recovery& drives);
 
 // 6004, of each monitor that speaks of agents: they obey no decision, so that what it says is kept
-// while the robot moves, and nobody keeps it while that stands.
+// while the robot moves, and nobody keeps it while that stands, unless who stands is slow enough.
 std::vector<diag::Diagnostic> unkept_agents(const Decided& of);
 
 }  // namespace rtac::analysis

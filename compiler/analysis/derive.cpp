@@ -78,6 +78,7 @@ class Deriver {
     const std::int64_t plain = effort_of(derived ? derived->module : anew.out_.module, same_zones);
     found.effort = plain + effort_of_looks(geometry::looks() - before);
     if (!judge) return found;
+    found.derived = derived.has_value();
     found.complete = derived && ask.worth(found);
     if (!found.complete) return found;
     found.effort = 0;

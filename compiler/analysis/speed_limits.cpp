@@ -61,10 +61,17 @@ bool speaks_of_agents(const ir::Block& block, ir::ValueId id) {
   if (const auto* v = std::get_if<ir::Or>(&op)) return of(v->a) || of(v->b);
   if (const auto* v = std::get_if<ir::Not>(&op)) return of(v->a);
   const auto* compare = std::get_if<ir::AtLeast>(&op);
-  if (compare == nullptr) return ir::body_of(op) != nullptr;  // of others, and who is near them
+  if (const ir::Block* others = ir::body_of(op)) return speaks_of_agents(*others, others->result);
+  if (compare == nullptr) return false;
   const auto& terms = ir::linear_form(block, *compare).terms;
   return std::ranges::any_of(
       terms, [](const auto& term) { return term.first.kind == ir::Leaf::Kind::agent; });
+}
+
+// The gate looks as far as the monitors of agents do.
+bool looks_far_enough(const ir::Monitor& monitor) {
+  const ir::Lookahead& ahead = monitor.lookahead;
+  return ahead.duration && !ahead.too_short && !ahead.points_only;
 }
 
 bool is_slow_beside_agents(const ir::Decision& decision, const ir::Block& block, ir::ValueId id) {
@@ -103,7 +110,7 @@ class Limits {
   // With which `fault` is gone, that it may be faster than a limit while it is held.
   [[nodiscard]] std::vector<std::string> slow_enough_held(const Fault& fault) const {
     const std::int64_t stands_mmps = decision_.body.stands_mmps;
-    const auto limit = first(block_.result, stands_mmps);
+    const auto limit = first_beside_agents(block_.result, stands_mmps);
     if (!limit) return {};
     std::vector<std::string> works;
     if (const auto higher = limit_that_works(fault, *limit, stands_mmps)) {
@@ -139,6 +146,16 @@ class Limits {
     if (const auto* v = std::get_if<ir::Or>(&op)) return either(v->a, v->b);
     const auto own = limit(id);
     return own && own->most_mmps < mmps ? own : std::nullopt;
+  }
+
+  // The first such limit of what speaks of agents, and would be kept by who stands still.
+  [[nodiscard]] std::optional<Limit> first_beside_agents(ir::ValueId id, std::int64_t mmps) const {
+    if (const auto* v = std::get_if<ir::And>(&block_[id].op)) {
+      const auto left = first_beside_agents(v->a, mmps);
+      return left ? left : first_beside_agents(v->b, mmps);
+    }
+    const bool helps = speaks_of_agents(block_, id) && asks_for_no_more_than(0, block_, id);
+    return helps ? first(id, mmps) : std::nullopt;
   }
 
   void look(ir::ValueId id) {
@@ -224,7 +241,8 @@ class Limits {
   [[nodiscard]] bool yields_to_agents(std::size_t k, ir::ValueId id) const {
     if (!holds_far_from_agents(decision_, block_, id)) return false;
     const bool obeys = decision_.monitors[k].recovery.kind != ir::RecoveryKind::external;
-    return is_taken_over(k) || (obeys && is_slow_beside_agents(decision_, block_, id));
+    return is_taken_over(k) ||
+           (obeys && looks_far_enough(monitor_) && is_slow_beside_agents(decision_, block_, id));
   }
 
   void report_no_return(const Limit& limit) {
@@ -419,7 +437,8 @@ std::int64_t fastest_while_driving(const ir::Decision& decision, std::size_t k) 
 }
 
 bool is_slow_beside_agents(const ir::Decision& decision, const ir::Monitor& monitor) {
-  return is_slow_beside_agents(decision, monitor.property, monitor.property.result);
+  return looks_far_enough(monitor) &&
+         is_slow_beside_agents(decision, monitor.property, monitor.property.result);
 }
 
 bool holds_at_rest(const ir::Decision& decision, const ir::Monitor& monitor) {
@@ -448,7 +467,6 @@ bool holds_standing(const ir::Monitor& monitor) {
 }
 
 std::vector<std::string> held_that_works(const Decided& of, std::size_t k, const Fault& fault) {
-  if (!holds_standing(of.decision.monitors[k])) return {};
   return Limits(of, k).slow_enough_held(fault);
 }
 

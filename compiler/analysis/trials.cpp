@@ -231,8 +231,7 @@ std::optional<std::int64_t> Trials::nearest(const Dial& dial, std::int64_t guess
 // reports say is all that is known.
 bool Trials::cannot_be_shown(const Dial& dial, std::int64_t steps) {
   const Faults* const found = known_of(dial.name, steps);
-  return may_show() && found != nullptr && !found->complete && wrong(*found) > 0 &&
-         !as_written(true).complete;
+  return found != nullptr && !found->derived && !as_written(true).derived;
 }
 
 std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,

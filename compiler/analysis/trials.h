@@ -28,6 +28,7 @@ struct Fault {
 };
 struct Faults {
   std::set<Fault> all;
+  bool derived = true;   // there is something of which it could be shown
   bool complete = true;  // what is not shown is among them
   bool remarks = true;   // and what is no error: the ways of recoveries were looked at
   // That it took to find them (effort.h): by the reports alone, or with what is shown.

@@ -176,6 +176,15 @@ std::optional<OfOthers> of_others(const sema::Expr& large, const sema::Expr& sma
   return sum.all;
 }
 
+bool far_agent(const sema::Spec& spec, const sema::Expr& comparison, bool value) {
+  const auto* const compare = compare_of(comparison);
+  if (compare == nullptr) return false;
+  const auto [large, small] = sides_of(*compare, value);
+  const auto others = of_others(*large, *small, spec);
+  return others && others->robots == 0 && !others->counts_more && !others->counts_less &&
+         others->agents.size() == 1 && others->agents.begin()->second > 0;
+}
+
 bool is_out_of_sight(const sema::Spec& spec, const sema::Decision& decision, sema::AgentId agent,
                      const Rational& least) {
   const Rational known = 100'000;

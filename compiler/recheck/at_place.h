@@ -32,6 +32,8 @@ struct OfOthers {
 // nullopt: it speaks of something else, too.
 std::optional<OfOthers> of_others(const sema::Expr& large, const sema::Expr& small,
                                   const sema::Spec& spec);
+// Whether a comparison that has to be true, or false, asks for one agent to be far, and no more.
+bool far_agent(const sema::Spec& spec, const sema::Expr& comparison, bool value);
 // Whether nothing is known of agents who are as far away as that, but that one is absent.
 bool is_out_of_sight(const sema::Spec& spec, const sema::Decision& decision, sema::AgentId agent,
                      const Rational& least);

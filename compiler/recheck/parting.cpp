@@ -543,9 +543,10 @@ std::optional<Doubt> check_parting(const sema::Spec& spec, const sema::Decision&
   // in space one may hold straight over the other one
   const double nearest =
       kind.in_space ? 0 : std::max(0.0, Rational(2 * n.radius - off - moved).get_d());
-  // who is farther off need not part, however little less that is than what is claimed
+  // doubles may have it a little less than it is
+  const Rational nearer = std::max(need_not, Rational(milli(*apart) - Rational(1, 1'000'000)));
   const auto found = without_parting(*region, {*cell, *x, *y},
-                                     {milli(*route).get_d(), body, nearest, need_not.get_d(),
+                                     {milli(*route).get_d(), body, nearest, nearer.get_d(),
                                       far + 3 * error + ends_within(kind, d)});
   const auto* const meeting = std::get_if<Meeting>(&found);
   if (meeting == nullptr) return wrong("the cells are not those of the zone, or too many");

@@ -512,8 +512,18 @@ class Check {
   // The separation gate stops whatever moves before agents are nearer than is asked.
   bool slow_beside_agents(const sema::Decision& d, const sema::Controller& drives,
                           const sema::Monitor& m) {
-    return !sema::templates_of(drives).empty() && !judges_robots(spec_, d, *m.always) &&
-           Sides(spec_, d, claims_).slow_beside_agents(*m.always);
+    return !sema::templates_of(drives).empty() && !is_unsound(m.ahead) &&
+           robots_keep(d, *m.always) && Sides(spec_, d, claims_).slow_beside_agents(*m.always);
+  }
+  // What speaks of no agent, together with all others.
+  bool robots_keep(const sema::Decision& d, const sema::Expr& e) {
+    const auto* const logic = std::get_if<sema::Logic>(&e.node);
+    if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
+      return std::ranges::all_of(logic->operands,
+                                 [&](const auto& each) { return robots_keep(d, *each); });
+    }
+    return sema::speaks_of<sema::AgentDistance>(e) ? !judges_robots(spec_, d, e)
+                                                   : kept_together(spec_, d, e);
   }
   void keeps(const sema::Decision& d, const Entry& e, const sema::Monitor& m) {
     if (is_unsound(m.ahead)) {
@@ -651,7 +661,8 @@ class Check {
       }
       const bool alike = driving.recover == m.recover && stands_and_holds(d, m);
       const bool slow = slow_beside_agents(d, spec_[*driving.recover], m);
-      if (!alike && !slow && !kept_together(spec_, d, *m.always) && !takes_over(d, m, driving)) {
+      const bool answers = takes_over(d, m, driving) && !is_unsound(m.ahead);
+      if (!alike && !slow && !kept_together(spec_, d, *m.always) && !answers) {
         fail(whom(d, e) + ": others may break it, and nobody takes over");
       }
       within(d, e, driving, m);

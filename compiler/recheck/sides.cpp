@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compiler/recheck/at_place.h"
 #include "compiler/recheck/at_worst.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/starts.h"
@@ -197,20 +198,10 @@ bool Sides::holds_of_slow(const sema::Controller& recovery, const sema::Expr& pr
 // Wherever the robot is, of agents that are far enough.
 bool Sides::holds_far_from_agents(const Part& part) {
   const Split parts = split(part);
-  if (parts.all) return std::ranges::all_of(parts.parts, holds_far_from_agents);
-  if (parts.any) return std::ranges::any_of(parts.parts, holds_far_from_agents);
-  const auto* compare = std::get_if<sema::Compare>(&part.expr->node);
-  if (compare == nullptr || !part.value) return false;
-  const bool least =
-      compare->op == sema::CompareOp::greater || compare->op == sema::CompareOp::greater_equal;
-  const bool most =
-      compare->op == sema::CompareOp::less || compare->op == sema::CompareOp::less_equal;
-  const auto is = [&](const sema::ExprPtr& far, const sema::ExprPtr& near) {
-    return std::holds_alternative<sema::AgentDistance>(far->node) &&
-           std::holds_alternative<sema::Constant>(near->node);
-  };
-  return (least && is(compare->left, compare->right)) ||
-         (most && is(compare->right, compare->left));
+  const auto is = [&](const Part& each) { return holds_far_from_agents(each); };
+  if (parts.all) return std::ranges::all_of(parts.parts, is);
+  if (parts.any) return std::ranges::any_of(parts.parts, is);
+  return far_agent(spec_, *part.expr, part.value);
 }
 
 // An `or` with zones is kept as the zones say, and one with inputs or agents where another recovery

@@ -74,7 +74,7 @@ class Sides {
   static Split split(const Part& part);
   static std::optional<Part> of_each(const Part& part);
   static bool speaks_of_inputs(const Part& part);
-  static bool holds_far_from_agents(const Part& part);
+  bool holds_far_from_agents(const Part& part);
   bool slow_beside_agents(const Part& part);
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
   bool is_faster(const sema::Controller& recovery, const Part& part);

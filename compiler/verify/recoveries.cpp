@@ -194,6 +194,9 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
   if (!why.empty()) return acknowledged(std::move(o), why);
   const std::string itself = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
                              " as far as its own robot goes, and others may break it";
+  if (const std::string unsound = unsound_reason(s, judged); !unsound.empty()) {
+    return acknowledged(std::move(o), "the look-ahead is declared unsound: " + unsound);
+  }
   if (judged < driving && !s.decision.coordinated && i.recovery.name != j.recovery.name) {
     o.because = itself + ": " + quoted(j.name) + " ranks higher, and " + quoted(j.recovery.name) +
                 " takes over as soon as they might";
