@@ -241,8 +241,8 @@ class Limits {
   [[nodiscard]] bool yields_to_agents(std::size_t k, ir::ValueId id) const {
     if (!holds_far_from_agents(decision_, block_, id)) return false;
     const bool obeys = decision_.monitors[k].recovery.kind != ir::RecoveryKind::external;
-    return is_taken_over(k) ||
-           (obeys && looks_far_enough(monitor_) && is_slow_beside_agents(decision_, block_, id));
+    return is_taken_over(k) || (obeys && looks_far_enough(monitor_) &&
+                                asks_for_no_more_than(decision_.body.stands_mmps, block_, id));
   }
 
   void report_no_return(const Limit& limit) {

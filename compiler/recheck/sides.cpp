@@ -377,8 +377,12 @@ bool Sides::holds_in_hold(const sema::Monitor& m, const Rational& extra) {
   return slow_side(plain({m.always.get(), true}), rests_of(m, extra).from_hold);
 }
 
+Rational Sides::fastest_held() const {
+  return std::max(numbers_.stands, numbers_.latched);
+}
+
 bool Sides::holds_held(const sema::Expr& property) {
-  return slow_side(plain({&property, true}), std::max(numbers_.stands, numbers_.latched));
+  return slow_side(plain({&property, true}), fastest_held());
 }
 
 bool Sides::slow_beside_agents(const sema::Expr& property) {
@@ -392,8 +396,7 @@ bool Sides::slow_beside_agents(const Part& part) {
                                [&](const Part& each) { return slow_beside_agents(each); });
   }
   return !sema::speaks_of<sema::AgentDistance>(*part.expr) ||
-         (holds_far_from_agents(part) &&
-          slow_side(part, std::max(numbers_.stands, numbers_.latched)));
+         (holds_far_from_agents(part) && slow_side(part, fastest_held()));
 }
 
 bool Sides::holds_at_rest(const sema::Expr& part, const sema::Monitor& m, const Rational& extra) {

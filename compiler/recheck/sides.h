@@ -76,6 +76,8 @@ class Sides {
   static bool speaks_of_inputs(const Part& part);
   bool holds_far_from_agents(const Part& part);
   bool slow_beside_agents(const Part& part);
+  // From when a brake has turned into a hold on.
+  [[nodiscard]] Rational fastest_held() const;
   void collect(const sema::Controller& recovery, const Part& part, bool either, Keeping& asked);
   bool is_faster(const sema::Controller& recovery, const Part& part);
   bool is_slow(const sema::Controller& recovery, const Split& parts);

@@ -192,11 +192,11 @@ Obligation among_others(const Subject& s, std::size_t driving, std::size_t judge
   const ir::Monitor& j = s.decision.monitors[judged];
   const std::string why = reason(s.decision, i.recovery.name, j.name);
   if (!why.empty()) return acknowledged(std::move(o), why);
-  const std::string itself = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
-                             " as far as its own robot goes, and others may break it";
   if (const std::string unsound = unsound_reason(s, judged); !unsound.empty()) {
     return acknowledged(std::move(o), "the look-ahead is declared unsound: " + unsound);
   }
+  const std::string itself = quoted(i.recovery.name) + " keeps " + quoted(j.name) +
+                             " as far as its own robot goes, and others may break it";
   if (judged < driving && !s.decision.coordinated && i.recovery.name != j.recovery.name) {
     o.because = itself + ": " + quoted(j.name) + " ranks higher, and " + quoted(j.recovery.name) +
                 " takes over as soon as they might";

@@ -251,7 +251,7 @@ TEST_F(BesidePeople, TheGateStopsARecoveryThatIsFasterThanTheLimit) {
   }
   const std::string high = "priority fence > others;";
   const Outcome kept = verified(beside("0.175 m/s", high), {"--format", "json"});
-  // nobody stops it before a third of a metre per second is too fast
+  // who comes near one that is held at 0.175 m/s finds it too fast
   const Outcome fast = verified(edited(beside("0.174 m/s", high), "recover stop;",
                                        "recover stop; hold when violated \"so be it\";"),
                                 {"-o", "certificates", "--format", "json"});
@@ -324,6 +324,9 @@ decision go for Cart { advanced policy; period 300 ms; priority told > fence > o
       std::string::npos)
       << denied.out << denied.err;
   EXPECT_EQ(found(verified(late, {"--format", "json"}), "C").first, "unknown");
+  // nor does the monitor's own recovery take over in time, wherever it ranks
+  const std::string first = edited(late, "told > fence > others", "others > told > fence");
+  EXPECT_EQ(found(verified(first, {"--format", "json"}), "C").first, "acknowledged");
 }
 // An application may do something else than stop where the gate tells it to.
 TEST_F(BesidePeople, WhatIsExternalIsNotTakenToStop) {
