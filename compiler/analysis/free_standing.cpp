@@ -85,8 +85,7 @@ class FreeStanding {
         const Region* const left_out = std::get_if<Region>(&outline);
         const auto gap = left_out != nullptr ? gap_in(*left_out) : std::nullopt;
         if (!gap) continue;
-        const Solid near = around(*gap);
-        if (is_free(*gap, starts.intersect(near))) starts = starts.subtract(near);
+        if (is_free(*gap)) starts = starts.subtract(around(*gap));
       }
     }
     return starts;
@@ -135,7 +134,7 @@ class FreeStanding {
   }
 
   // The zone goes as far around the block as ways do, and over it.
-  [[nodiscard]] bool is_free(const Gap& gap, const Solid& starts) const {
+  [[nodiscard]] bool is_free(const Gap& gap) const {
     const Region wide = gap.base.grow(search_.reach(gap.width));
     const Region ring = wide.subtract(gap.base.grow(gap.width + both_excesses));
     const Region filled = gap.base.grow(gap.width - one_excess);
@@ -143,10 +142,10 @@ class FreeStanding {
       return slab.region.contains(ring) && slab.region.intersect(filled).empty();
     };
     return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_around) &&
-           (!has_roof(gap) || leads_over(gap, wide, starts)) && keeps_the_rest(gap, wide);
+           (!has_roof(gap) || leads_over(gap, wide)) && keeps_the_rest(gap, wide);
   }
   // From everywhere in the gap that is near the roof the search looks at the way straight up.
-  [[nodiscard]] bool leads_over(const Gap& gap, const Region& wide, const Solid& starts) const {
+  [[nodiscard]] bool leads_over(const Gap& gap, const Region& wide) const {
     const Slab &above = zone_[gap.over], &beside = zone_[gap.over - 1];
     if (beside.floor > gap.top - search_.aim ||
         above.ceiling < above.floor + 2 * search_.aim + search_.radius ||
@@ -159,25 +158,19 @@ class FreeStanding {
       return slab.region.contains(alike) && box_of(slab.region) == box_of(beside.region);
     };
     return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_alike) &&
-           looks_over(gap, starts) <= Search::looks_max;
+           looks_over(gap) <= Search::looks_max;
   }
-  // Along the level to the nearest cell, from over the middle of the roof on, if anybody is there,
-  // and as far down as is shorter than that.
-  [[nodiscard]] std::int64_t looks_over(const Gap& gap, const Solid& starts) const {
-    Region over_roof;
-    for (const Slab& slab : starts.slabs()) {
-      if (slab.ceiling > gap.top) over_roof = over_roof.unite(slab.region);
-    }
-    const Rational beside = gap.width + search_.aim + 3 * search_.cell;
-    const Region without_cell = gap.base.grow(beside);
-    Rational level(Search::piece_mm, 1000);
-    while (level < beside || !over_roof.intersect(without_cell.shrink(level)).empty()) level *= 2;
+  // Until a way is found that is no longer than straight up: as far down as the nearest cell of its
+  // own level is away, and if that is nearer, along the level. From farther over the roof than
+  // beside it none is nearer, and what leads down is not clear at its middle.
+  [[nodiscard]] std::int64_t looks_over(const Gap& gap) const {
+    const Rational level = gap.width + search_.aim + 3 * search_.cell;
     std::int64_t looks = Search::looks_at(level);
     for (std::size_t j = 0; j < gap.over; ++j) {
       const Rational to = zone_[j].ceiling - search_.aim;
       if (gap.top - to >= level) continue;
       const Rational down = zone_[gap.over].floor + both_excesses - to;
-      looks += std::int64_t(j + 1) * Search::looks_at(std::min(level, down));
+      looks += Search::looks_at(std::min(level, down));
     }
     return looks;
   }

@@ -83,7 +83,7 @@ class Blocks {
         ends(*block) ? Rational(block->top + reach) : Rational(block->top - room_.radius);
     const Solid beside =
         Solid::prism(block->base.grow(reach), slabs_.front().floor + room_.radius, high);
-    return stands_free(*block, starts.intersect(beside)) ? starts.subtract(beside) : starts;
+    return stands_free(*block) ? starts.subtract(beside) : starts;
   }
 
  private:
@@ -111,7 +111,7 @@ class Blocks {
   }
 
   // Whether all that the search looks at from around the block is free, and wide enough.
-  [[nodiscard]] bool stands_free(const Block& block, const Solid& starts) const {
+  [[nodiscard]] bool stands_free(const Block& block) const {
     const Region near =
         block.base.grow(block.around + 2 * room_.clearance + cells_aside * cell_ + room_.radius);
     const Region beside = near.subtract(block.base.grow(block.around + 2 * millimetre));
@@ -120,11 +120,11 @@ class Blocks {
       if (!slabs_[i].region.contains(beside)) return false;
       if (!core.intersect(slabs_[i].region).empty()) return false;
     }
-    if (ends(block) && !goes_over(block, near, starts)) return false;
+    if (ends(block) && !goes_over(block, near)) return false;
     return keeps_others(block, near);
   }
   // Whether straight up is looked at from near the roof, and nothing between but that height.
-  [[nodiscard]] bool goes_over(const Block& block, const Region& near, const Solid& starts) const {
+  [[nodiscard]] bool goes_over(const Block& block, const Region& near) const {
     const Slab &over = slabs_[block.over], &under = slabs_[block.over - 1];
     // the edge of what is left out is as far from that of the block as from a corner of a square
     const Rational least = block.around - 2 * millimetre, asked = room_.radius + room_.asked;
@@ -132,7 +132,9 @@ class Blocks {
     if (block.top - under.floor < room_.clearance) return false;
     if (over.ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
     if (!over.region.contains(near)) return false;
-    const Rational level = level_way(block, starts);
+    // a cell that is nearer than straight up; from higher over the roof than beside it there is
+    // none
+    const Rational level = block.around + room_.clearance + 3 * cell_;
     std::int64_t looks = looks_at(level);
     for (std::size_t i = 0; i < block.over; ++i) {
       // as the slab under the roof: who goes down first finds no other cells there
@@ -141,25 +143,9 @@ class Blocks {
       const Rational height = slabs_[i].ceiling - room_.clearance;
       if (block.top - height >= level) continue;
       const Rational down = over.floor + 2 * millimetre - height;
-      looks += static_cast<std::int64_t>(i + 1) * looks_at(std::min(level, down));
+      looks += looks_at(std::min(level, down));
     }
     return looks <= looks_most;
-  }
-  // No nearest cell is farther from who is higher than the block; as many pieces of 4 mm as are cut
-  // in two again and again.
-  [[nodiscard]] Rational level_way(const Block& block, const Solid& starts) const {
-    const Rational beside = block.around + room_.clearance + 3 * cell_;
-    const Region none = block.base.grow(beside);
-    std::int64_t pieces = 1;
-    const auto reaches = [&](const Rational& way) {
-      if (way < beside) return false;
-      const Region too_far = none.shrink(way);
-      return std::ranges::all_of(starts.slabs(), [&](const Slab& slab) {
-        return slab.ceiling <= block.top || slab.region.intersect(too_far).empty();
-      });
-    };
-    while (!reaches(milli(4 * pieces))) pieces *= 2;
-    return milli(4 * pieces);
   }
   // Whether all else of the fence is as far off, but for the ground, and a ceiling over what ends
   // there.

@@ -17,9 +17,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double loss_m = 2e-3;
 // Looks at clearances in one search, at a glance and as many piece by piece, and cells that are
 // tried on one height. At a glance a leg takes one look per slab, so that of up to six slabs all
-// heights are looked at (verify: legs_back): 22 heights of 7 looks and 24 cells of 7 more, for a
-// clearance with the slack of a measurement and for one without. Once they are spent, the search
-// ends: no cell is compared any more.
+// heights are looked at (verify: legs_back): 13 heights of twice 7 looks and 24 cells of 7 more,
+// for a clearance with the slack of a measurement and for one without. Once they are spent, the
+// search ends: no cell is compared any more.
 constexpr int looks_max = 8000, cells_tried_max = 24;
 // Of doubles: a place that is as clear as is wanted counts as such.
 constexpr double rounding_m = 1e-6;
@@ -58,17 +58,22 @@ class Sight {
     return how == How::at_a_glance ? slabs_are_clear(a, b, least_m)
                                    : pieces_are_clear(a, b, least_m);
   }
-  // Heights where a place may be `wanted_m` away from floors and ceilings, each as near to `z` as
-  // it gets.
+  // The height z, and others where slabs that lie on each other leave `wanted_m` above a floor or
+  // below a ceiling: of each the nearest.
   template <class Visit>
   void heights(double z, double wanted_m, const Visit& visit) const {
     visit(z);
-    for (std::size_t i = 0; solid_ != nullptr && i < solid_->slab_count; ++i) {
-      for (std::size_t j = i; j < solid_->slab_count; ++j) {
-        if (j > i && solid_->slabs[j].floor_m != solid_->slabs[j - 1].ceiling_m) break;
-        const double low_m = solid_->slabs[i].floor_m + wanted_m;
-        const double high_m = solid_->slabs[j].ceiling_m - wanted_m;
-        if (low_m <= high_m) visit(std::clamp(z, low_m, high_m));
+    const std::size_t count = solid_ != nullptr ? solid_->slab_count : 0;
+    for (std::size_t first = 0, end = 0; first < count; first = end) {
+      end = first + 1;
+      while (end < count && solid_->slabs[end].floor_m == solid_->slabs[end - 1].ceiling_m) ++end;
+      const double low_m = solid_->slabs[first].floor_m + wanted_m;
+      const double high_m = solid_->slabs[end - 1].ceiling_m - wanted_m;
+      for (std::size_t i = first; i < end; ++i) {
+        const double over_m = solid_->slabs[i].floor_m + wanted_m;
+        const double under_m = solid_->slabs[i].ceiling_m - wanted_m;
+        if (z < over_m && over_m <= high_m) visit(over_m);
+        if (under_m < z && low_m <= under_m) visit(under_m);
       }
     }
   }
@@ -146,12 +151,14 @@ bool nearest_cell(const ZoneView& zone, Vec3 from, double wanted_m, const Accept
   return false;
 }
 
-// Up or down, and then level, on the height with the shortest way.
+// Up or down, and then level, on the height with the shortest way. Straight up or down is looked at
+// before any level leg is, where no cell of its own level is nearer: over a wide roof such a leg
+// may take all looks, piece by piece, and lead nowhere.
 template <class Legs>
 void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How how, Legs& legs) {
-  double best_m = infinite;
+  double best_m = infinite, beside_m = infinite;
   const auto is_place = [&](Vec3 p) { return sight.clearance_m(p) >= wanted_m - rounding_m; };
-  sight.heights(from.z, wanted_m, [&](double z) {
+  const auto look_at = [&](double z, bool beside_too) {
     const Vec3 level{from.x, from.y, z};
     if (sight.spent()) return;
     const double up_m = std::abs(z - from.z);
@@ -163,7 +170,7 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
       return;
     }
     const ZoneView* const zone = sight.at_height(z);
-    if (zone == nullptr || sight.spent()) return;
+    if (!beside_too || zone == nullptr || sight.spent()) return;
     (void)nearest_cell(*zone, level, wanted_m, [&](Vec3 aim) {
       const double way_m = up_m + norm(aim - level);
       if (way_m >= best_m) return true;  // whatever comes after it is no nearer
@@ -174,7 +181,17 @@ void find_place(Sight& sight, Vec3 from, double wanted_m, double least_m, How ho
       (void)legs.push(aim);
       return true;
     });
+  };
+  if (const ZoneView* const zone = sight.at_height(from.z)) {
+    (void)nearest_cell(*zone, from, wanted_m, [&](Vec3 aim) {
+      beside_m = norm(aim - from);
+      return true;
+    });
+  }
+  sight.heights(from.z, wanted_m, [&](double z) {
+    if (std::abs(z - from.z) <= beside_m) look_at(z, false);
   });
+  sight.heights(from.z, wanted_m, [&](double z) { look_at(z, true); });
 }
 
 }  // namespace
@@ -398,6 +415,7 @@ void RetreatInSpace::look(TimeUs /*now_us*/, Vec3 from, Legs& legs) {
   // At a glance first, and each way of looking with looks of its own: neither takes them away from
   // a wish that the other would fulfil.
   for (const How how : {How::at_a_glance, How::piece_by_piece}) {
+    if (how == How::at_a_glance && least_m <= 0) continue;  // no leg is clear then
     Sight sight(setting_);
     for (const double wanted_m : wishes) {
       find_place(sight, from, wanted_m, least_m, how, legs);

@@ -275,6 +275,28 @@ TEST(RetreatInSpace, FindsAWayOutOfNestedSlabs) {
   }
 }
 
+// From what is left out over a wide roof every level leg is long, and not seen to be clear but
+// piece by piece.
+TEST(RetreatInSpace, LooksStraightUpBeforeItLooksFarBeside) {
+  const test::TestZone beside_hall(
+      {{{0, 0}, {30'000, 0}, {30'000, 30'000}, {0, 30'000}},
+       {{5'000, 5'000}, {5'000, 25'000}, {25'000, 25'000}, {25'000, 5'000}}});
+  const test::TestZone above(test::square_rings(30'000));
+  const std::array<SlabView, 2> slabs{{{&beside_hall.view(), 0, 8}, {&above.view(), 8, 20}}};
+  const SolidView solid{"over_the_hall", slabs.data(), slabs.size()};
+  Setting setting;
+  setting.limits = test::drone_limits();
+  setting.limits.in_space = true;
+  setting.period_us = 50'000;
+  setting.speed_mps = 0.5;
+  setting.route_clearance_m = 0.5;
+  setting.return_clearance_m = 0.9;
+  setting.solid = &solid;
+  for (const double under_m : {0.001, 0.05, 0.5, 1.5}) {
+    EXPECT_TRUE(sets_out(setting, {15, 15}, 8 - under_m)) << under_m;
+  }
+}
+
 // Outside, nothing is clear at a glance. Of a stack of many slabs it looks at so many heights that
 // its glances are spent on them: each way of looking has looks of its own.
 TEST(RetreatInSpace, GlancesTakeNoLooksAwayFromPieces) {
