@@ -279,9 +279,10 @@ TEST(RetreatInSpace, FindsAWayOutOfNestedSlabs) {
 // piece by piece.
 TEST(RetreatInSpace, LooksStraightUpBeforeItLooksFarBeside) {
   const test::TestZone beside_hall(
-      {{{0, 0}, {30'000, 0}, {30'000, 30'000}, {0, 30'000}},
-       {{5'000, 5'000}, {5'000, 25'000}, {25'000, 25'000}, {25'000, 5'000}}});
-  const test::TestZone above(test::square_rings(30'000));
+      {{{0, 0}, {60'000, 0}, {60'000, 60'000}, {0, 60'000}},
+       {{5'000, 5'000}, {5'000, 55'000}, {55'000, 55'000}, {55'000, 5'000}}},
+      400);
+  const test::TestZone above(test::square_rings(60'000), 400);
   const std::array<SlabView, 2> slabs{{{&beside_hall.view(), 0, 8}, {&above.view(), 8, 20}}};
   const SolidView solid{"over_the_hall", slabs.data(), slabs.size()};
   Setting setting;
@@ -293,7 +294,7 @@ TEST(RetreatInSpace, LooksStraightUpBeforeItLooksFarBeside) {
   setting.return_clearance_m = 0.9;
   setting.solid = &solid;
   for (const double under_m : {0.001, 0.05, 0.5, 1.5}) {
-    EXPECT_TRUE(sets_out(setting, {15, 15}, 8 - under_m)) << under_m;
+    EXPECT_TRUE(sets_out(setting, {30, 30}, 8 - under_m)) << under_m;
   }
 }
 
