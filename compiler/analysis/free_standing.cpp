@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "compiler/analysis/recovery_places.h"
 #include "compiler/analysis/sides.h"
 #include "compiler/geometry/region.h"
+#include "compiler/support/words.h"
 
 namespace rtac::analysis {
 namespace {
@@ -31,7 +33,7 @@ struct Search {
   // It looks at so many cells, which lie no farther beside the straight way.
   static constexpr int cells_beside = 8;
   // All heights are looked at in stacks of so many slabs, and so often piece by piece, each of them
-  // as long at most (runtime/core/space.cpp). Some are left for places.
+  // as long at most (runtime/core/space.cpp). Some are left for places, and for ways up.
   static constexpr std::size_t slabs_max = 6;
   static constexpr std::int64_t looks_max = 7800, piece_mm = 4;
 
@@ -67,6 +69,11 @@ Box box_of(const Region& region) {
   }
   return box;
 }
+std::string middle_of(const Region& region) {
+  const Box box = box_of(region);
+  return "(" + metres(Rational((box.left + box.right) / 2)) + ", " +
+         metres(Rational((box.low + box.top) / 2)) + ")";
+}
 bool is_on_grid(const Rational& height) {
   return Rational(height * 1000).get_den() == 1;
 }
@@ -76,19 +83,34 @@ class FreeStanding {
   FreeStanding(const Solid& zone, const Solid& fence, const Search& search, const Rational& asked)
       : zone_(zone.slabs()), fence_(fence), search_(search), asked_(asked) {}
 
-  // What of the starts is not near a block that stands free.
-  [[nodiscard]] Solid starts_elsewhere(Solid starts) const {
-    if (zone_.size() > Search::slabs_max || !widens_upwards()) return starts;
+  // What the zone lacks for all of the starts to be near blocks that stand free. "": they are.
+  [[nodiscard]] std::string why_not(Solid starts) const {
+    if (zone_.size() > Search::slabs_max) {
+      return "has " + std::to_string(zone_.size()) + " levels, and of " +
+             std::to_string(Search::slabs_max) + " all are looked at";
+    }
+    if (!widens_upwards()) {
+      return "has places that something hangs over, or levels that end on no whole millimetre";
+    }
+    std::string why;
     for (const geometry::PolygonWithHoles& part : zone_.front().region.polygons()) {
       for (const geometry::Ring& hole : part.holes) {
         const auto outline = Region::polygon(hole, {});
         const Region* const left_out = std::get_if<Region>(&outline);
-        const auto gap = left_out != nullptr ? gap_in(*left_out) : std::nullopt;
-        if (!gap) continue;
-        if (is_free(*gap)) starts = starts.subtract(around(*gap));
+        if (left_out == nullptr) continue;
+        const auto gap = gap_in(*left_out);
+        const std::string missing =
+            gap ? missing_around(*gap)
+                : "leaves out what is no upright block with a convex base, from its floor on";
+        if (missing.empty()) {
+          starts = starts.subtract(around(*gap));
+        } else if (why.empty()) {
+          why = missing + ", near " + middle_of(*left_out);
+        }
       }
     }
-    return starts;
+    if (starts.empty()) return "";
+    return !why.empty() ? why : "may have robots outside of it elsewhere than around a block";
   }
 
  private:
@@ -133,39 +155,62 @@ class FreeStanding {
     return is_convex(gap.base) ? std::optional(gap) : std::nullopt;
   }
 
-  // The zone goes as far around the block as ways do, and over it.
-  [[nodiscard]] bool is_free(const Gap& gap) const {
-    const Region wide = gap.base.grow(search_.reach(gap.width));
+  // What it takes for the block to stand free. "": it does.
+  [[nodiscard]] std::string missing_around(const Gap& gap) const {
+    // the zone goes as far around the block as ways do
+    const Rational reach = search_.reach(gap.width);
+    const Region wide = gap.base.grow(reach);
     const Region ring = wide.subtract(gap.base.grow(gap.width + both_excesses));
     const Region filled = gap.base.grow(gap.width - one_excess);
     const auto is_around = [&](const Slab& slab) {
       return slab.region.contains(ring) && slab.region.intersect(filled).empty();
     };
-    return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_around) &&
-           (!has_roof(gap) || leads_over(gap, wide)) && keeps_the_rest(gap, wide);
+    if (!std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_around)) {
+      return "has to go on for " + metres(reach) + " around the block";
+    }
+    if (has_roof(gap)) {
+      const std::string missing = missing_over(gap, wide);
+      if (!missing.empty()) return missing;
+    }
+    return keeps_the_rest(gap, wide)
+               ? ""
+               : "has ways nearer than " + metres(Rational(search_.radius + asked_)) +
+                     " to what else is to be kept off";
   }
-  // From everywhere in the gap that is near the roof the search looks at the way straight up.
-  [[nodiscard]] bool leads_over(const Gap& gap, const Region& wide) const {
+  // From everywhere in the gap that is near the roof the search looks at the way straight up, or at
+  // a leg to a cell that is nearer.
+  [[nodiscard]] std::string missing_over(const Gap& gap, const Region& wide) const {
     const Slab &above = zone_[gap.over], &beside = zone_[gap.over - 1];
-    if (beside.floor > gap.top - search_.aim ||
-        above.ceiling < above.floor + 2 * search_.aim + search_.radius ||
-        !above.region.contains(wide) || !keeps_edges(gap)) {
-      return false;
+    const Rational over = 2 * search_.aim + search_.radius;
+    if (!above.region.contains(wide) || zone_.back().ceiling < above.floor + over) {
+      return "has to go on for " + metres(over) + " over what it leaves out, and for " +
+             metres(search_.reach(gap.width)) + " around it there";
+    }
+    if (!keeps_edges(gap)) {
+      return "leaves out less than is asked by the edge of a roof, where " + metres(least_gap()) +
+             " around the block are enough";
     }
     // who goes down first finds no other cells there
     const Region alike = beside.region.intersect(wide);
     const auto is_alike = [&](const Slab& slab) {
       return slab.region.contains(alike) && box_of(slab.region) == box_of(beside.region);
     };
-    return std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_alike) &&
-           looks_over(gap) <= Search::looks_max;
+    if (!std::all_of(zone_.begin(), zone_.begin() + std::ptrdiff_t(gap.over), is_alike)) {
+      return "has levels with other outlines beside the block";
+    }
+    if (looks_over(gap) > Search::looks_max) {
+      return "leaves out so much that it is more than is looked along, with the clearance of " +
+             metres(search_.aim) + " that is looked for";
+    }
+    return "";
   }
   // Until a way is found that is no longer than straight up: as far down as the nearest cell of its
   // own level is away, and if that is nearer, along the level. From farther over the roof than
   // beside it none is nearer, and what leads down is not clear at its middle.
   [[nodiscard]] std::int64_t looks_over(const Gap& gap) const {
-    const Rational level = gap.width + search_.aim + 3 * search_.cell;
-    std::int64_t looks = Search::looks_at(level);
+    const Rational up = gap.width + search_.aim + 2 * both_excesses;
+    const Rational level = up + 3 * search_.cell;
+    std::int64_t looks = Search::looks_at(up);
     for (std::size_t j = 0; j < gap.over; ++j) {
       const Rational to = zone_[j].ceiling - search_.aim;
       if (gap.top - to >= level) continue;
@@ -190,6 +235,10 @@ class FreeStanding {
     if (!gap.has_block) return true;
     const Rational has = gap.width - both_excesses, off = search_.radius + asked_;
     return has > 0 && 2 * has * has >= off * off;
+  }
+  [[nodiscard]] Rational least_gap() const {
+    const Rational off = search_.radius + asked_;
+    return off * Rational(7072, 10'000) + both_excesses;
   }
 
   const std::vector<Slab>& zone_;
@@ -218,11 +267,14 @@ std::optional<std::int64_t> looked_for_mm(const ir::Decision& decision, ir::Zone
 
 }  // namespace
 
-bool leads_off_blocks(const TakeOver& at, ir::ZoneIndex within, ir::ZoneIndex fence,
-                      std::int64_t asked_mm, const Solid& starts) {
+std::string missing_off_blocks(const TakeOver& at, ir::ZoneIndex within, ir::ZoneIndex fence,
+                               std::int64_t asked_mm, const Solid& starts) {
   const ir::ZoneTable& zone = at.module[within];
   const auto aim_mm = looked_for_mm(at.decision, within);
-  if (!aim_mm || !zone.has_height()) return false;
+  const std::string name = quoted(zone.name) + " ";
+  if (!zone.has_height()) return name + "has no height";
+  if (!aim_mm)
+    return name + "is where a `return when`, or a way to a site, has something else looked for";
   std::int64_t cell_mm = 0;
   for (const ir::ZoneTable::Slab& slab : zone.slabs) {
     cell_mm = std::max<std::int64_t>(cell_mm, at.module[slab.base].cells.cell_mm);
@@ -232,7 +284,8 @@ bool leads_off_blocks(const TakeOver& at, ir::ZoneIndex within, ir::ZoneIndex fe
   const FreeStanding blocks(inner, outer,
                             {metres_of(radius_mm), metres_of(*aim_mm), metres_of(cell_mm)},
                             metres_of(asked_mm));
-  return blocks.starts_elsewhere(starts).empty();
+  const std::string why = blocks.why_not(starts);
+  return why.empty() ? "" : name + why;
 }
 
 }  // namespace rtac::analysis

@@ -324,16 +324,6 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
          geometry::Entry::How::within;
 }
 
-// In space, past blocks that stand free. Each of the fence is as far off as is asked where the
-// robot takes over.
-bool enters_past_blocks(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
-  if (least_asked_mm(at, fence) < 0 || !is_of_places(at.decision.monitors[at.judged].property)) {
-    return false;
-  }
-  return leads_off_blocks(at, step.zone, fence, asked_of(at, fence).strictest_mm,
-                          led_in_from(at, step.zone, fence));
-}
-
 // The same of an `or`: the fence is where the centre of a body may be that lies in one of the
 // zones. It asks for no more than what the robot strays from a way, and a body in the zone of the
 // step has all of its clearance but the radius to its boundary.
@@ -358,6 +348,16 @@ bool enters_by_sides(const TakeOver& at, const ir::Recovery& step,
 
 }  // namespace
 
+std::optional<std::string> missing_past_blocks(const TakeOver& at, const ir::Recovery& step,
+                                               ir::ZoneIndex fence) {
+  const bool of_places = is_of_places(at.decision.monitors[at.judged].property);
+  if (!at.module[fence].has_height() || !of_places || least_asked_mm(at, fence) < 0) return "";
+  std::string missing = missing_off_blocks(at, step.zone, fence, asked_of(at, fence).strictest_mm,
+                                           led_in_from(at, step.zone, fence));
+  if (missing.empty()) return std::nullopt;
+  return missing;
+}
+
 bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
   const ir::ZoneIndex zone = step.zone;
   if (zone == fence) return true;
@@ -372,7 +372,7 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
                         return is_convex(slab.region);
                       });
   return convex || all_within(at, held_by_fence(at, fence), zone) ||
-         enters_past_blocks(at, step, fence);
+         !missing_past_blocks(at, step, fence);
 }
 
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,

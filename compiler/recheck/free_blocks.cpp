@@ -123,19 +123,17 @@ class Blocks {
     if (ends(block) && !goes_over(block, near)) return false;
     return keeps_others(block, near);
   }
-  // Whether straight up is looked at from near the roof, and nothing between but that height.
+  // Whether straight up is looked at from near the roof, and what is over that is free.
   [[nodiscard]] bool goes_over(const Block& block, const Region& near) const {
     const Slab &over = slabs_[block.over], &under = slabs_[block.over - 1];
     // the edge of what is left out is as far from that of the block as from a corner of a square
     const Rational least = block.around - 2 * millimetre, asked = room_.radius + room_.asked;
     if (block.real && (least <= 0 || least * least * 2 < asked * asked)) return false;
-    if (block.top - under.floor < room_.clearance) return false;
-    if (over.ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
-    if (!over.region.contains(near)) return false;
-    // a cell that is nearer than straight up; from higher over the roof than beside it there is
-    // none
-    const Rational level = block.around + room_.clearance + 3 * cell_;
-    std::int64_t looks = looks_at(level);
+    if (slabs_.back().ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
+    if (!over.region.contains(near)) return false;  // those above it contain it
+    // of level legs the one to a cell that is nearer than straight up
+    const Rational up = block.around + room_.clearance + 4 * millimetre, level = up + 3 * cell_;
+    std::int64_t looks = looks_at(up);
     for (std::size_t i = 0; i < block.over; ++i) {
       // as the slab under the roof: who goes down first finds no other cells there
       if (!slabs_[i].region.contains(under.region.intersect(near))) return false;
