@@ -206,14 +206,16 @@ class FreeStanding {
   }
   // Until a way is found that is no longer than straight up: as far down as the nearest cell of its
   // own level is away, and if that is nearer, along the level. From farther over the roof than
-  // beside it none is nearer, and what leads down is not clear at its middle.
+  // beside it none is nearer, and what leads down is not clear at its middle; so the block is as
+  // far below as it is beside.
   [[nodiscard]] std::int64_t looks_over(const Gap& gap) const {
-    const Rational up = gap.width + search_.aim + 2 * both_excesses;
-    const Rational level = up + 3 * search_.cell;
+    const Rational off = gap.has_block ? least_of_both() : Rational(0);
+    const Rational up = gap.width + search_.aim + 2 * both_excesses - off;
+    const Rational level = up + search_.cell * Rational(3, 2);  // more than a cell is across
     std::int64_t looks = Search::looks_at(up);
     for (std::size_t j = 0; j < gap.over; ++j) {
       const Rational to = zone_[j].ceiling - search_.aim;
-      if (gap.top - to >= level) continue;
+      if (gap.top + off - to >= level) continue;
       const Rational down = zone_[gap.over].floor + both_excesses - to;
       looks += Search::looks_at(std::min(level, down));
     }
@@ -239,6 +241,13 @@ class FreeStanding {
   [[nodiscard]] Rational least_gap() const {
     const Rational off = search_.radius + asked_;
     return off * Rational(7072, 10'000) + both_excesses;
+  }
+
+  // Who has what is asked, but for what a hold strays, and is as far beside a block as over it.
+  [[nodiscard]] Rational least_of_both() const {
+    const Rational strays(2, 100);
+    return std::max(Rational((search_.radius + asked_) * Rational(7071, 10'000) - strays),
+                    Rational(0));
   }
 
   const std::vector<Slab>& zone_;

@@ -131,15 +131,19 @@ class Blocks {
     if (block.real && (least <= 0 || least * least * 2 < asked * asked)) return false;
     if (slabs_.back().ceiling - over.floor < 2 * room_.clearance + room_.radius) return false;
     if (!over.region.contains(near)) return false;  // those above it contain it
-    // of level legs the one to a cell that is nearer than straight up
-    const Rational up = block.around + room_.clearance + 4 * millimetre, level = up + 3 * cell_;
+    // of level legs the one to a cell that is nearer than straight up, from as far beside the block
+    // as over it, by what is asked, but for 2 cm
+    const Rational each = block.real ? Rational(asked * Rational(70, 99) - 20 * millimetre) : 0;
+    const Rational off = std::max(each, Rational(0));
+    const Rational up = block.around + room_.clearance + 4 * millimetre - off;
+    const Rational level = up + cell_ * Rational(3, 2);
     std::int64_t looks = looks_at(up);
     for (std::size_t i = 0; i < block.over; ++i) {
       // as the slab under the roof: who goes down first finds no other cells there
       if (!slabs_[i].region.contains(under.region.intersect(near))) return false;
       if (corners_of(slabs_[i].region) != corners_of(under.region)) return false;
       const Rational height = slabs_[i].ceiling - room_.clearance;
-      if (block.top - height >= level) continue;
+      if (block.top + off - height >= level) continue;
       const Rational down = over.floor + 2 * millimetre - height;
       looks += looks_at(std::min(level, down));
     }
