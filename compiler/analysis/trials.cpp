@@ -1,6 +1,7 @@
 #include "compiler/analysis/trials.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rtac::analysis {
 namespace {
@@ -194,13 +195,15 @@ std::ptrdiff_t Trials::left_with(const std::string& dial, std::int64_t steps) co
 std::string Trials::leaves(const std::string& dial, std::int64_t steps, const Fault& fault) const {
   const Faults* const found = known_of(dial, steps);
   if (found == nullptr) return "";
+  const std::string rough =
+      rough_.contains({dial, steps}) ? " (there was no time to try nearer ones)" : "";
   std::set<std::string> open;  // of several monitors the same once
   for (const std::string& each : open_at(*found, fault)) {
     open.insert(each.substr(0, each.find_last_not_of(' ') + 1));
   }
   std::string names;
   for (const std::string& each : open) names += (names.empty() ? "" : ", ") + each;
-  return names.empty() ? "" : " (which leaves " + names + " open)";
+  return (names.empty() ? "" : " (which leaves " + names + " open)") + rough;
 }
 
 bool Trials::shows_no_less(const Faults& found) {
@@ -236,6 +239,15 @@ bool Trials::cannot_be_shown(const Dial& dial, std::int64_t steps) {
 
 std::optional<std::int64_t> Trials::least_wrong(const Dial& dial, std::int64_t guess,
                                                 const Goal& goal) {
+  const bool before = std::exchange(ran_out_, false);
+  const auto found = looked_for(dial, guess, goal);
+  if (found && ran_out_) rough_.insert({dial.name, *found});
+  ran_out_ = ran_out_ || before;
+  return found;
+}
+
+std::optional<std::int64_t> Trials::looked_for(const Dial& dial, std::int64_t guess,
+                                               const Goal& goal) {
   as_written(goal.shown);  // before another number is written
   const auto no_less = [&](const Faults& found, const Faults& than) {
     return !goal.shown || (found.complete && no_more_open(found, than));

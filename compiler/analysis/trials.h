@@ -86,8 +86,8 @@ class Trials {
   [[nodiscard]] std::string left_last() const;
   // How much is not shown with a number that was found.
   [[nodiscard]] std::ptrdiff_t left_with(const std::string& dial, std::int64_t steps) const;
-  // " (which leaves P2b open)": what is not shown with it of the monitor that `fault` is about. "":
-  // all is, or nobody has asked.
+  // " (which leaves P2b open)": what is not shown with it of the monitor that `fault` is about; and
+  // that there was no time for numbers nearer to the written one. "": all is, or nobody has asked.
   [[nodiscard]] std::string leaves(const std::string& dial, std::int64_t steps,
                                    const Fault& fault) const;
   // Whether all that is not shown there was not shown before either.
@@ -101,6 +101,7 @@ class Trials {
     bool shown = false;
   };
   std::optional<std::int64_t> least_wrong(const Dial& dial, std::int64_t guess, const Goal& goal);
+  std::optional<std::int64_t> looked_for(const Dial& dial, std::int64_t guess, const Goal& goal);
   const Faults& as_written(bool shown);
   // nullptr: not tried
   [[nodiscard]] const Faults* known_of(const std::string& dial, std::int64_t steps) const;
@@ -125,6 +126,7 @@ class Trials {
   std::optional<Faults> as_written_;
   bool asked_ = false;  // what is not shown of it
   std::set<diag::Code> left_;
+  std::set<std::pair<std::string, std::int64_t>> rough_;  // nearer ones may work, too
   std::map<std::pair<std::string, std::int64_t>, std::optional<Faults>> known_;
 };
 

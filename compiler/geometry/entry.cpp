@@ -94,6 +94,8 @@ class Entering {
     for (const EdgeRow& e : fence.edges) depth_ = std::min(depth_, to_zone(e));
   }
 
+  [[nodiscard]] std::int64_t looked_at() const { return looks_; }
+
   Entry run() {
     if (starts_) {
       const auto cells = starts_->cells();
@@ -545,7 +547,12 @@ Entry entry(const Table& zone, const Table& fence, const EntryQuery& query) {
   thread_local Kept<Question, Entry> kept;
   Question question{{zone.edges, zone.cells}, {fence.edges, fence.cells}, query, {}};
   if (query.starts) question.starts = query.starts->rings();
-  return kept.find(std::move(question), [&] { return Entering(zone, fence, query).run(); });
+  return kept.find(std::move(question), [&] {
+    Entering entering(zone, fence, query);
+    Entry found = entering.run();
+    looks() += entering.looked_at();
+    return found;
+  });
 }
 
 }  // namespace rtac::geometry
