@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string>
 
 #include "compiler/analysis/effort.h"
 
@@ -17,6 +18,7 @@ constexpr std::int64_t works_from = 700'000;
 struct Searched {
   std::optional<std::int64_t> found;
   int runs = 0;
+  std::string leaves;  // what is said beside it
 };
 // A number that has to be `works_from` at least, each trial as dear as that.
 Searched searched(std::int64_t effort) {
@@ -40,17 +42,21 @@ Searched searched(std::int64_t effort) {
                   },
                   [&] { number = 1; }};
   s.found = trials.nearest(dial, 900'000, fault);
+  if (s.found) s.leaves = trials.leaves(dial.name, *s.found, fault);
   return s;
 }
 
 TEST(Trials, FindTheNearestNumberWhereEachIsCheap) {
-  EXPECT_EQ(searched(1'000).found, works_from);
+  const Searched cheap = searched(1'000);
+  EXPECT_EQ(cheap.found, works_from);
+  EXPECT_EQ(cheap.leaves, "");
 }
 TEST(Trials, FindOneThatWorksWhereEachIsDear) {
   const Searched dear = searched(1'500'000);
   EXPECT_EQ(dear.runs, 4);  // as it is written, and three more
   ASSERT_TRUE(dear.found);
   EXPECT_GE(*dear.found, works_from);
+  EXPECT_EQ(dear.leaves, " (there was no time to try nearer ones)");
 }
 TEST(Trials, StopWhereNoneIsInReach) {
   EXPECT_EQ(searched(5'000'000).runs, 2);

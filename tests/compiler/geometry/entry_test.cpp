@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/geometry/looks.h"
 #include "rooms.h"
 #include "rtac/safe/manoeuvre.h"
 #include "rtac/safe/pilot.h"
@@ -117,6 +118,22 @@ TEST(Entry, AroundAPillar) {
 TEST(Entry, AroundACorner) {
   const Region hall = box(0, 0, 9000, 9000).unite(box(9000, 0, 14'000, 4000));
   expect_within(inset(hall, 300), hall);
+}
+// Also once more, and of a zone with more edges more: trials of numbers end by what they take.
+TEST(Entry, WhatASearchTakesIsCounted) {
+  const Region hall = box(0, 0, 7000, 6000), pillar = box(3000, 2500, 4000, 3500);
+  const auto taken = [&](const Region& zone) {
+    Ways ways(zone, hall.subtract(pillar));
+    const std::int64_t before = looks();
+    (void)ways.shown(cart);
+    return looks() - before;
+  };
+  const Region plain = inset(hall, 300).subtract(box(2700, 2200, 4300, 3800));
+  const Region round = inset(hall, 300).subtract(*pillar.offset(q(300, 1000)));
+  const std::int64_t once = taken(plain);
+  EXPECT_EQ(taken(plain), once);
+  EXPECT_GT(once, 100'000);
+  EXPECT_GT(taken(round), 3 * once / 2);
 }
 // From the tip of a corner a far cell beyond another corner would do, if everything nearer were in
 // the way of other robots: the way there leads no farther from the zone than the tip, and out.
