@@ -84,12 +84,8 @@ class Planner {
         report(Code::window_without_way_out, monitor,
                "the recovery `" + monitor.recovery.name + "` does not lead out before `" +
                    zone_name(monitor) + "` changes",
-               std::string(decision_.body.in_space
-                               ? "how long a way out takes is known of robots in the plane alone: "
-                               : "to stand still is no recovery from a zone that comes or goes: "
-                                 "`route to` a site where it does not matter works; or ") +
-                   "`acknowledge " + monitor.recovery.name + " may break " + monitor.name +
-                   " \"why\"`");
+               why_not_out(monitor.recovery) + "`acknowledge " + monitor.recovery.name +
+                   " may break " + monitor.name + " \"why\"`");
       }
       long_enough(monitor);
     }
@@ -97,6 +93,15 @@ class Planner {
   }
 
  private:
+  [[nodiscard]] std::string why_not_out(const ir::Recovery& recovery) const {
+    if (decision_.body.in_space) {
+      return "how long a way out takes is known of robots in the plane alone: ";
+    }
+    return std::string(recovery.kind == ir::RecoveryKind::brake
+                           ? "to stand still is no recovery from a zone that comes or goes: "
+                           : "how long a way out takes is known of ways to a site alone: ") +
+           "`route to` a site where it does not matter works; or ";
+  }
   // theory, two robots (time window): s1 / b + t_lag, from the greatest speed
   [[nodiscard]] std::int64_t stop_us() const {
     const Rational seconds(decision_.motions[0].speed_mmps, decision_.body.brake_mmps2);
