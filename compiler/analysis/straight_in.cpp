@@ -324,6 +324,19 @@ bool enters_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex f
          geometry::Entry::How::within;
 }
 
+// In space, past blocks that stand free. Each of the fence is as far off as is asked where the
+// robot takes over.
+std::optional<std::string> missing_past_blocks(const TakeOver& at, const ir::Recovery& step,
+                                               ir::ZoneIndex fence) {
+  if (least_asked_mm(at, fence) < 0 || !is_of_places(at.decision.monitors[at.judged].property)) {
+    return "";
+  }
+  std::string missing = missing_off_blocks(at, step.zone, fence, asked_of(at, fence).strictest_mm,
+                                           led_in_from(at, step.zone, fence));
+  if (missing.empty()) return std::nullopt;
+  return missing;
+}
+
 // The same of an `or`: the fence is where the centre of a body may be that lies in one of the
 // zones. It asks for no more than what the robot strays from a way, and a body in the zone of the
 // step has all of its clearance but the radius to its boundary.
@@ -348,22 +361,16 @@ bool enters_by_sides(const TakeOver& at, const ir::Recovery& step,
 
 }  // namespace
 
-std::optional<std::string> missing_past_blocks(const TakeOver& at, const ir::Recovery& step,
-                                               ir::ZoneIndex fence) {
-  const bool of_places = is_of_places(at.decision.monitors[at.judged].property);
-  if (!at.module[fence].has_height() || !of_places || least_asked_mm(at, fence) < 0) return "";
-  std::string missing = missing_off_blocks(at, step.zone, fence, asked_of(at, fence).strictest_mm,
-                                           led_in_from(at, step.zone, fence));
-  if (missing.empty()) return std::nullopt;
-  return missing;
-}
-
-bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
+std::optional<std::string> missing_to_come_in(const TakeOver& at, const ir::Recovery& step,
+                                              ir::ZoneIndex fence) {
   const ir::ZoneIndex zone = step.zone;
-  if (zone == fence) return true;
+  if (zone == fence) return std::nullopt;
   if (!at.module[fence].has_height()) {
-    if (is_convex(at.exact(fence)) || all_within(at, held_by_fence(at, fence), zone)) return true;
-    return !at.decision.body.in_space && enters_within(at, step, fence);
+    if (is_convex(at.exact(fence)) || all_within(at, held_by_fence(at, fence), zone)) {
+      return std::nullopt;
+    }
+    if (!at.decision.body.in_space && enters_within(at, step, fence)) return std::nullopt;
+    return "";
   }
   const Solid solid = at.solid(fence);
   const bool level = !at.module[zone].has_height();
@@ -371,8 +378,12 @@ bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex
   const bool convex = one && std::ranges::all_of(solid.slabs(), [](const geometry::Slab& slab) {
                         return is_convex(slab.region);
                       });
-  return convex || all_within(at, held_by_fence(at, fence), zone) ||
-         !missing_past_blocks(at, step, fence);
+  if (convex || all_within(at, held_by_fence(at, fence), zone)) return std::nullopt;
+  return missing_past_blocks(at, step, fence);
+}
+
+bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence) {
+  return !missing_to_come_in(at, step, fence);
 }
 
 bool comes_in_by_sides(const TakeOver& at, const ir::Recovery& step,

@@ -54,10 +54,10 @@ std::int64_t aims_at_mm(const ir::Decision& decision, const ir::Recovery& step);
 // the plane is entered on the level, so that each level counts by itself.
 bool comes_in_within(const TakeOver& at, const ir::Recovery& step, ir::ZoneIndex fence);
 
-// In space, past blocks of the fence that stand free: what it takes for that way to keep what is
-// asked of them. nullopt: it does. "": no such way is known, whatever it takes.
-std::optional<std::string> missing_past_blocks(const TakeOver& at, const ir::Recovery& step,
-                                               ir::ZoneIndex fence);
+// What it takes for that. nullopt: it stays in the fence. "": nobody knows of anything that would
+// do; in space it is said past which blocks of the fence it has no room.
+std::optional<std::string> missing_to_come_in(const TakeOver& at, const ir::Recovery& step,
+                                              ir::ZoneIndex fence);
 
 // Whether that way stays, of each `or`, in one of these zones or another, of which each body in the
 // zone of the step lies in one: the places of bodies in them are convex, or there is no such way,

@@ -134,12 +134,11 @@ Doubt doubt_of_zone(const Subject& s, const analysis::TakeOver& take_over,
             outer_name};
   }
   if (step.claims) return {};
-  if (analysis::comes_in_within(take_over, step, outer.zone)) return {};
-  const std::string missing =
-      analysis::missing_past_blocks(take_over, step, outer.zone).value_or("");
+  const auto missing = analysis::missing_to_come_in(take_over, step, outer.zone);
+  if (!missing) return {};
   return {"from outside of " + name + " it makes straight for it, and is not shown to stay in " +
               outer_name + " on its way, which is not convex" +
-              (missing.empty() ? "" : ": " + missing),
+              (missing->empty() ? "" : ": " + *missing),
           analysis::begins_inside(s.module[step.zone])};
 }
 // That it lies by the border of its zone; nullopt: that is not shown.
