@@ -432,7 +432,7 @@ class Deriver {
       return recovery_motion(kind, to.body, c.name,
                              claim ? claim->speed.value : kind.motion.speed.value, period_us);
     }
-    const Rational least = least_speed(kind, period_us);
+    const Rational least = slowest_led(kind, period_us);
     Rational speed = 0;  // whoever stands never gets faster than it was found
     for (const sema::Template& what : all) {
       const auto own = sema::speed_of(what);
@@ -444,15 +444,6 @@ class Deriver {
       }
     }
     return recovery_motion(kind, to.body, c.name, speed, period_us);
-  }
-  // The slowest recovery of a point mass that makes half of its speed good, whatever its velocity
-  // errs and whatever pushes it back. Wheels drive at the speed that they are told; in space the
-  // place of a hold moves, whatever the velocity errs.
-  static Rational least_speed(const sema::RobotKind& kind, std::int64_t period_us) {
-    const Rational pushed = pushed_speed(kind, period_us);
-    const bool steers = kind.motion.model == sema::MotionModel::point && !kind.in_space;
-    if (!steers || !kind.velocity) return pushed;
-    return 2 * (kind.velocity->error.value + pushed);
   }
   void report_no_way(const sema::Decision& decision, const sema::Controller& c, const Rational& own,
                      const Rational& least) {
@@ -475,7 +466,7 @@ class Deriver {
     std::vector<std::string> works;
     const Rational faster(ceil_to_int(Rational(least * 1000)), 1000);
     const auto makes_way = [](const sema::RobotKind& k, std::int64_t us, const Rational& speed) {
-      return least_speed(k, us) <= speed && (!k.in_space || speed <= follows_up_to(k, us));
+      return slowest_led(k, us) <= speed && (!k.in_space || speed <= follows_up_to(k, us));
     };
     if (faster <= kind.motion.speed.value && makes_way(kind, period_us, faster)) {
       works.push_back("a speed of at least " + to_decimal(faster) + " m/s");
@@ -646,7 +637,7 @@ class Deriver {
     ir::SiteTable& site = out_.module.sites[index(out_.tables.site(kind, route->site))];
     const auto is_priced = [](const ir::SiteTable::Place& p) { return !p.cost_ppm.empty(); };
     if (std::ranges::any_of(site.places, is_priced)) return;
-    if (route->speed.value < least_speed(spec_[kind], d.period_us)) {
+    if (route->speed.value < slowest_led(spec_[kind], d.period_us)) {
       const std::size_t cells = zone_of(site.zone).baked.cells.clearance_mm_lo.size();
       for (ir::SiteTable::Place& p : site.places) p.cost_ppm.assign(cells, ir::no_way);
       return;

@@ -195,6 +195,25 @@ bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of
   return trials.nearest(dial, 1, fault, all_of).has_value();
 }
 
+bool works_recovered_by(Trials& trials, const Fault& fault, const std::string& monitor,
+                        sema::Controller recovery) {
+  sema::Spec& spec = trials.spec();
+  const auto found = std::ranges::find(spec.monitors, monitor, &sema::Monitor::name);
+  if (found == spec.monitors.end()) return false;
+  const auto written = found->recover;
+  const Dial dial{"recovery of " + monitor + ": " + recovery.name, 0, 1,
+                  [&](std::int64_t) {
+                    found->recover = sema::ControllerId(spec.controllers.size());
+                    spec.controllers.push_back(recovery);
+                    return true;
+                  },
+                  [&] {
+                    found->recover = written;
+                    spec.controllers.pop_back();
+                  }};
+  return trials.nearest(dial, 1, fault).has_value();
+}
+
 std::optional<std::string> consumption_that_works(Trials& trials, const Fault& fault,
                                                   sema::KindId kind, const Rational& share) {
   sema::RobotKind& robot = trials.spec().kinds[static_cast<std::size_t>(kind)];

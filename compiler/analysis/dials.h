@@ -45,6 +45,9 @@ std::optional<std::int64_t> lookahead_that_works(Trials& trials, const Sought& s
 bool works_in_zone(Trials& trials, const Fault& fault, const SourceRange& all_of,
                    const std::string& recovery, const std::string& name, sema::ZoneId from,
                    sema::Zone zone);
+// Whether it works when that monitor alone has another recovery, of a name that no other one has.
+bool works_recovered_by(Trials& trials, const Fault& fault, const std::string& monitor,
+                        sema::Controller recovery);
 // "`drive` of at most 2.5 %/m", or what it may take at rest ("`idle` of at most 0.01 %/s") where
 // the time alone takes too much: for a way that takes `share` of the battery that there is. none:
 // neither works.

@@ -14,6 +14,7 @@
 #include "compiler/analysis/speed_limits.h"
 #include "compiler/analysis/standoffs.h"
 #include "compiler/analysis/timing.h"
+#include "compiler/analysis/travel.h"
 #include "compiler/analysis/widening.h"
 #include "compiler/analysis/windows.h"
 #include "compiler/analysis/zone_trials.h"
@@ -141,12 +142,27 @@ class Recoveries {
     d.notes.push_back({std::nullopt, "beyond the property at full speed, it stops up to " +
                                          metres(farther_mm) + " farther on, and stays there"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    const std::string leads =
-        ir::asks_for_received(monitor_.property) ? ""  // who moves does not know where to
-        : asks.clearance ? "`retreat within " + zone_to_name() + " speed " + speed_to_name() + "`"
-                         : "`yield within Z speed " + speed_to_name() + " order id`";
-    d.help = (leads.empty() ? "" : leads + " works, or ") +
-             "`hold when violated \"why\";` in the monitor" + (leads.empty() ? " works" : "");
+    const std::string held = "`hold when violated \"why\";` in the monitor";
+    // who moves knows no way in a zone that is received later
+    const auto speed = ir::asks_for_received(monitor_.property) ? std::nullopt : speed_to_lead();
+    const auto zone = zone_to_lead();
+    const std::string at = speed ? " speed " + to_decimal(*speed) + " m/s" : "";
+    if (!speed || trials_ == nullptr) {
+      d.help = held + " works";
+    } else if (!asks.clearance) {
+      d.help = "`yield within Z" + at + " order id`, Z being where they may pass, is needed, or " +
+               held + ", which works";
+    } else if (!zone) {
+      d.help = "`retreat within Z" + at + "`, Z being where it holds, is needed, or " + held +
+               ", which works";
+    } else {
+      const std::string back = "`retreat within " + spec_[*zone].name + at + "`";
+      const bool works = leads_back(*zone, *speed, d);
+      const std::string left = works ? "" : trials_->left_last();
+      d.help = works          ? back + " works, or " + held
+               : left.empty() ? held + " works"
+                              : held + " works; " + back + " is not enough (" + left + ")";
+    }
     diagnostics_.report(std::move(d));
   }
   // It is slow enough there, and would not be as soon as it was given back.
@@ -161,10 +177,10 @@ class Recoveries {
                                                  : "does not lead to where it may be faster";
     d.notes.push_back({std::nullopt, from_rest_text(spec_[controller_.kind], from_rest_mmps)});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
-    const bool received = ir::asks_for_received(monitor_.property);
-    const std::string leads = received ? ""
-                                       : "`retreat within Z speed " + speed_to_name() +
-                                             "`, Z being where it may be faster, or ";
+    const auto speed = ir::asks_for_received(monitor_.property) ? std::nullopt : speed_to_lead();
+    const std::string leads = speed ? "`retreat within Z speed " + to_decimal(*speed) +
+                                          " m/s`, Z being where it may be faster, or "
+                                    : "";
     // as fast as it may ever be no limit says anything
     const std::string limits =
         from_rest_mmps < decision_.motions.front().speed_mmps
@@ -189,27 +205,40 @@ class Recoveries {
     d.label = "does not lead out of a violation";
     d.notes.push_back(
         {controller_.name_range, "its claim to stay inside " + zone + " is declared here"});
-    d.help =
-        "`hold when violated \"why\";` in the monitor says why that is acceptable; or "
-        "`retreat within " +
-        zone_to_name() + " speed " + speed_to_name() + "` leads back in";
+    d.help = "`hold when violated \"why\";` in the monitor says why that is acceptable";
+    const auto to = zone_to_lead();
+    const auto speed = speed_to_lead();
+    if (to && speed && leads_back(*to, *speed, d)) {
+      d.help += "; or `retreat within " + spec_[*to].name + " speed " + to_decimal(*speed) +
+                " m/s` leads back in";
+    }
     diagnostics_.report(std::move(d));
   }
-  // A zone and a speed of a recovery that would be accepted, as far as the property tells.
-  std::string zone_to_name() const {
+  // The one zone that the property keeps the robot in; none: there are several, or it has no name.
+  [[nodiscard]] std::optional<sema::ZoneId> zone_to_lead() const {
     const auto fences = fences_of(monitor_.property, decision_.facts.params);
-    const std::string name = fences.size() == 1 ? module_[fences[0]].name : "Z";
-    const std::string outside = "outside_of_";
-    return name.starts_with(outside) || name.starts_with("zone_of_line_") ? "Z" : name;
+    if (fences.size() != 1 || trials_ == nullptr) return std::nullopt;
+    const std::string& name = module_[fences[0]].name;
+    if (name.starts_with("outside_of_") || name.starts_with("zone_of_line_")) return std::nullopt;
+    return trials_->zone_of(fences[0]);
   }
-  std::string speed_to_name() const {
+  // none: its robot is led at no speed.
+  [[nodiscard]] std::optional<Rational> speed_to_lead() const {
     const ir::Recovery& last = ir::last_step(monitor_.recovery);
     const std::int64_t own_mmps = ir::moves(last.kind) ? last.speed_mmps : 100;
-    const std::int64_t least_mmps =
-        2 * (decision_.body.velocity_error_mmps + decision_.pushed_mmps);
-    const std::int64_t mmps =
-        std::min(decision_.motions[0].speed_mmps, std::max(own_mmps, least_mmps));
-    return to_decimal(Rational(mmps, 1000)) + " m/s";
+    const sema::RobotKind& kind = spec_[written_.kind];
+    const Rational wanted =
+        std::min(kind.motion.speed.value, Rational(static_cast<long>(own_mmps), 1000));
+    return led_at(kind, wanted, decision_.period_us);
+  }
+  // A retreat there, instead of what is reported.
+  [[nodiscard]] bool leads_back(sema::ZoneId zone, const Rational& speed,
+                                const diag::Diagnostic& reported) const {
+    sema::Controller back = controller_;
+    back.name += " that leads back";
+    back.implementation = sema::Retreat{zone, {speed, {}}};
+    return works_recovered_by(*trials_, fault_of(reported.code, reported.range), written_.name,
+                              std::move(back));
   }
   void unneeded() {
     diag::Diagnostic d{};
@@ -346,10 +375,9 @@ class Recoveries {
   }
   std::string wider_claim(std::int64_t need_mm) const {
     const auto fences = fences_of(monitor_.property, decision_.facts.params);
-    if (fences.size() != 1 || module_[fences[0]].widest_mm < need_mm || zone_to_name() == "Z") {
-      return "";
-    }
-    return ", such as `" + module_[fences[0]].name + "`";
+    const auto zone = zone_to_lead();
+    if (!zone || module_[fences[0]].widest_mm < need_mm) return "";
+    return ", such as `" + spec_[*zone].name + "`";
   }
 
   void boundless(const ir::Recovery& last) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analysis/sides.h"
+#include "compiler/analysis/standoffs.h"
 #include "compiler/support/rational.h"
 
 namespace rtac::analysis {
@@ -112,6 +113,16 @@ std::optional<Moved> moved(sema::Spec& spec, const Move& move) {
 }
 
 }  // namespace
+
+std::int64_t at_once_mm(const ir::Decision& decision) {
+  return 2 * decision.body.radius_mm + sure_separation_mm(decision);
+}
+
+std::int64_t square_mm2(const ir::SiteTable::Place& one, const ir::SiteTable::Place& other) {
+  const std::int64_t dx = other.x_mm - std::int64_t{one.x_mm};
+  const std::int64_t dy = other.y_mm - std::int64_t{one.y_mm};
+  return dx * dx + dy * dy;  // coordinates differ by 2^30 at most
+}
 
 std::vector<MovedTo> places_that_work(Trials& trials, const Fault& fault,
                                       const std::vector<Move>& moves) {

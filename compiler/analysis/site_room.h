@@ -46,6 +46,12 @@ struct MovedTo {
 std::vector<MovedTo> places_that_work(Trials& trials, const Fault& fault,
                                       const std::vector<Move>& moves);
 
+// How far apart two places are at which two robots may be at once, at least: by their bodies, and
+// by what monitors keep between them.
+std::int64_t at_once_mm(const ir::Decision& decision);
+// The distance of two places in the plane, squared.
+std::int64_t square_mm2(const ir::SiteTable::Place& one, const ir::SiteTable::Place& other);
+
 // A place of a site that has cells without a way home around it.
 struct Cramped {
   const ir::SiteTable::Place& at;

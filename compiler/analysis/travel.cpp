@@ -216,6 +216,27 @@ Rational heading_errors(const sema::RobotKind& kind, const Rational& speed,
   return kind.motion.turn ? steering(kind, speed, seconds_of(period_us)).errors : Rational(0);
 }
 
+Rational slowest_led(const sema::RobotKind& kind, std::int64_t period_us) {
+  const Rational pushed = pushed_speed(kind, period_us);
+  const bool steers = kind.motion.model == sema::MotionModel::point && !kind.in_space;
+  if (!steers || !kind.velocity) return pushed;
+  return 2 * (kind.velocity->error.value + pushed);
+}
+
+std::optional<Rational> led_at(const sema::RobotKind& kind, const Rational& wanted,
+                               std::int64_t period_us) {
+  const auto mmps_up = [](const Rational& speed) { return ceil_to_int(Rational(speed * 1000)); };
+  const std::int64_t most_mmps = floor_to_int(Rational(kind.motion.speed.value * 1000));
+  const std::int64_t least_mmps = std::max(mmps_up(wanted), mmps_up(slowest_led(kind, period_us)));
+  for (std::int64_t mmps = least_mmps; mmps <= most_mmps; mmps += mmps / 20 + 1) {
+    const Rational speed(static_cast<long>(mmps), 1000);
+    if (heading_errors(kind, speed, period_us) > heading_errors_most) continue;
+    if (kind.in_space && speed > follows_up_to(kind, period_us)) return std::nullopt;
+    return speed;
+  }
+  return std::nullopt;
+}
+
 // How far beside its leg what pushes a point mass brings it before its correction settles. While it
 // speeds up, that is left with a part of what it steers with only.
 Rational pushed_beside(const sema::RobotKind& kind, const Rational& speed, const Rational& period) {

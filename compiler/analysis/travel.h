@@ -50,6 +50,14 @@ Rational lasting_speed(const sema::RobotKind& kind, std::int64_t period_us);
 Rational heading_errors(const sema::RobotKind& kind, const Rational& speed, std::int64_t period_us);
 // The most with which they keep to it: beyond, they would drive off at more than 1 rad to it.
 inline const Rational heading_errors_most(1, pace::turn_begin_errors);
+// The slowest recovery of a point mass that makes half of its speed good, whatever its velocity
+// errs and whatever pushes it back, in m/s. Wheels drive at the speed that they are told; in space
+// the place of a hold moves, whatever the velocity errs.
+Rational slowest_led(const sema::RobotKind& kind, std::int64_t period_us);
+// From `wanted` on about the slowest speed at which a recovery may be led, in m/s; none: up to that
+// of the robot it is too slow, cannot be steered well enough, or is not followed.
+std::optional<Rational> led_at(const sema::RobotKind& kind, const Rational& wanted,
+                               std::int64_t period_us);
 // The tests of the pilots hold it, whatever is declared.
 inline constexpr std::int64_t beside_least_mm = 50;
 // How far beside its leg a recovery of the declared `speed` in m/s comes at most, in mm, what

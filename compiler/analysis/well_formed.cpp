@@ -320,12 +320,11 @@ class WellFormed {
   void too_near(const Decided& of, const ir::Recovery& way) {
     const ir::SiteTable& site = module_[way.site];
     const std::int64_t asked_mm = sure_separation_mm(of.decision);
-    const std::int64_t need_mm = 2 * of.decision.body.radius_mm + asked_mm;
+    const std::int64_t need_mm = at_once_mm(of.decision);
     for (std::size_t p = 0; p < site.places.size(); ++p) {
       for (std::size_t q = 0; q < p; ++q) {
         const ir::SiteTable::Place &one = site.places[q], &other = site.places[p];
-        const std::int64_t dx = other.x_mm - one.x_mm, dy = other.y_mm - one.y_mm;
-        const std::int64_t square = dx * dx + dy * dy;
+        const std::int64_t square = square_mm2(one, other);
         if (square == 0 || square >= need_mm * need_mm) continue;
         const auto name = [&](const auto& at) { return "`" + site.name + "(" + at.robot + ")`"; };
         diag::Diagnostic d{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 #include "compiler/analysis/dials.h"
 #include "compiler/analysis/sides.h"
@@ -63,6 +64,18 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
   } else if (const auto* out = std::get_if<sema::ZoneComplement>(&zone.node)) {
     if (auto* of = behind(out->zone)) find_narrowing(spec, *of, !kept, found);
   }
+}
+
+// As far as a zone may grow without reaching what its author keeps it off by a distance.
+std::int64_t kept_off_mm(sema::Spec& spec, const sema::Zone& zone) {
+  std::vector<sema::ZoneExpr*> narrows;
+  find_narrowing(spec, *zone.value, true, narrows);
+  std::int64_t least_mm = std::numeric_limits<std::int64_t>::max();
+  for (const sema::ZoneExpr* each : narrows) {
+    const Rational& by = std::get<sema::ZoneOffset>(each->node).distance;
+    least_mm = std::min(least_mm, floor_to_int(Rational((by < 0 ? -by : by) * 1000)));
+  }
+  return least_mm;
 }
 
 using Works = std::function<bool(std::int64_t by_mm)>;
@@ -145,16 +158,17 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
   const bool unnamed = zone.name.empty();
   const std::string name = unnamed ? zone_text(trials.spec(), *zone.value) : zone.name;
   // where the author has written a distance, that is what is changed
-  if (unnamed) {
-    if (auto works = distance_that_works(trials, table, guess_mm, fault)) return works;
-  }
+  if (auto works = distance_that_works(trials, table, guess_mm, fault)) return works;
   if (name.empty() || std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
     return std::nullopt;
   }
   sema::ZoneExprPtr& value = zone.value;
+  const std::int64_t far_mm =
+      std::min(std::max(guess_mm, most_mm), kept_off_mm(trials.spec(), zone));
+  if (guess_mm > far_mm) return std::nullopt;
   const Dial dial{"the growth of " + name,
                   std::max<std::int64_t>(least_mm - 1, 0),
-                  std::max(guess_mm, most_mm),
+                  far_mm,
                   [&](std::int64_t mm) {
                     offset(value, mm);
                     return true;
@@ -169,7 +183,7 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
            (unnamed ? "" : " wherever it is named") + " works" +
            trials.leaves(dial.name, *by_mm, fault);
   }
-  return unnamed ? std::nullopt : distance_that_works(trials, table, guess_mm, fault);
+  return std::nullopt;
 }
 
 std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex table,

@@ -28,6 +28,16 @@ Scenario place(const std::vector<std::int64_t>& mm) {
   return at;
 }
 
+// The first robot rests at its dock, as good as empty, so that the others wait for it for as long
+// as that may take.
+Scenario aimed_at_the_dock(const Obligation& o, const std::vector<std::string>& robots) {
+  Scenario queue = aimed_at_charge(o.monitor, 12, 3600);
+  queue["starts"] = Scenario::object();
+  for (const std::string& robot : robots) queue["starts"][robot]["battery"] = "tight";
+  queue["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+  return queue;
+}
+
 // The first robots where the start says, all others out of their way.
 Scenario starts_at(const Obligation& o, const verify::Start& start,
                    const std::vector<std::string>& robots) {
@@ -191,8 +201,11 @@ bool about_return(const Obligation& o) {
 std::vector<Scenario> aimed_at(const Obligation& o, const sema::Spec& spec,
                                const std::vector<std::string>& robots, const std::string& charge) {
   if (o.in_turns) return aimed_at_turns(o, robots, charge);
-  // with each of the adversaries
-  if (o.declared) return {aimed_at_charge(o.monitor, 12, 1200)};
+  if (o.declared) {
+    std::vector<Scenario> all{aimed_at_charge(o.monitor, 12, 1200)};  // with each adversary
+    if (o.place_mm) all.push_back(aimed_at_the_dock(o, robots));
+    return all;
+  }
   // whoever keeps the other monitor engaged does so until the charge is gone
   if (o.unending) return {aimed_at_charge(o.monitor, 20, 3600)};
   if (o.lock_up) return aimed_at_lock_ups(o, robots);

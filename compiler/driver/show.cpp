@@ -68,7 +68,7 @@ struct Sought {
   std::string refused{};  // why the simulator has not played one
   // The surest first: an argument refutes it; a run does, which is likely; or perhaps.
   [[nodiscard]] int rank() const {
-    if (of->in_turns || of->declared) return 2;
+    if (of->in_turns || (of->declared && !of->by_a_run)) return 2;
     return of->by_a_run ? 1 : 0;
   }
 };
@@ -96,10 +96,7 @@ void go_on(Scenario& scenario, std::uint64_t played) {
 class Showing {
  public:
   Showing(const Options& options, Simulator& simulator, Compilation& c)
-      : options_(options),
-        simulator_(simulator),
-        c_(c),
-        left_s_(options.attack_s.empty() ? all_core_s : std::stod(options.attack_s)) {}
+      : options_(options), simulator_(simulator), c_(c), left_s_(attack_core_s(options)) {}
 
   void add(const verify::Decision& d, Obligation& o) {
     std::vector<std::string> robots;
@@ -291,6 +288,10 @@ class Showing {
 };
 
 }  // namespace
+
+double attack_core_s(const Options& options) {
+  return options.attack_s.empty() ? all_core_s : std::stod(options.attack_s);
+}
 
 void leave_open(verify::Report& report) {
   for (verify::Decision& d : report.decisions) {

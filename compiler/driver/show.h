@@ -13,6 +13,9 @@ namespace rtac::driver {
 // written for `rtac sim SPEC --replay`, and named in the report. It ends in bounded time.
 void show(const Options& options, Simulator& simulator, Compilation& c, verify::Report& report);
 
+// How long runs are sought, of all obligations together, in core seconds.
+double attack_core_s(const Options& options);
+
 // The same, where nothing can be simulated: why there is no run.
 void leave_unshown(verify::Report& report, const std::string& why);
 

@@ -87,11 +87,13 @@ int simulate_findings(const Options& options, Compilation& c, verify::Report& re
   return refuse_mutant(options, c);
 }
 
-// Of what was tried nothing is kept.
+// Of what was tried nothing is kept. It is attacked for twice as long as what is written, so that
+// the same attack on it, once it is written, finds no more.
 void play_anew(const Options& options, Compilation& c, BuiltAnew& built, verify::Report& report) {
   const TemporaryFolder folder;
   Options trial = options;
   trial.output = folder.path();
+  trial.attack_s = std::to_string(2 * attack_core_s(options));
   Compilation aside;
   aside.module = std::move(built.module);
   aside.tables = built.tables;

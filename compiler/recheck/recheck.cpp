@@ -10,6 +10,7 @@
 #include "compiler/recheck/coming_in.h"
 #include "compiler/recheck/company.h"
 #include "compiler/recheck/coordination.h"
+#include "compiler/recheck/docking.h"
 #include "compiler/recheck/joint.h"
 #include "compiler/recheck/lasting.h"
 #include "compiler/recheck/lemmas.h"
@@ -538,6 +539,9 @@ class Check {
           !goes_to_be_charged(spec_, d, spec_[*m.recover], *m.always)) {
         fail(whom(d, e) + ": nobody accounts for the charge that `" + spec_[*m.recover].name +
              "` spends");
+      }
+      if (waits(d, e) && docks_for_longer(spec_, d, m)) {
+        fail(whom(d, e) + ": until others are charged before it takes longer than `held`");
       }
     }
     const bool brakes =

@@ -152,7 +152,7 @@ struct Obligation {
   // whether runs were played.
   bool declared = false, played = false;
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that
-  // leads nowhere from there.
+  // leads nowhere from there. Of what is declared: the dock that robots wait for, of the first one.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;

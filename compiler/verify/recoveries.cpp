@@ -10,35 +10,13 @@
 #include "compiler/support/words.h"
 #include "compiler/verify/about_recovery.h"
 #include "compiler/verify/atoms.h"
+#include "compiler/verify/docking.h"
 #include "compiler/verify/leaving.h"
 #include "compiler/verify/proofs.h"
 #include "compiler/verify/within_zones.h"
 
 namespace rtac::verify {
 namespace {
-
-// That each of the others charges at the same site meanwhile, up to what its return asks for, of
-// all that is written there the most; they come and go, too, which may take as long.
-std::vector<Mend> waits_for_all_charges(const Subject& s, const ir::Monitor& judged) {
-  const sema::Energy& energy = *s.kind.energy;
-  if (s.decision.open_fleet || energy.charge.value <= 0) return {};
-  std::int64_t level_ppm = 0;
-  const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
-    const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
-    if (!least || least->leaf.kind != ir::Leaf::Kind::battery) return;
-    level_ppm = std::max(level_ppm, least->need.strictest);
-  };
-  if (judged.return_when) ir::for_each_comparison(*judged.return_when, read);
-  const Rational level = level_ppm == 0 ? Rational(1) : Rational(level_ppm, 1'000'000);
-  const std::int64_t wait_s =
-      ceil_to_int(Rational(Rational(s.decision.robots - 1) * level / energy.charge.value));
-  std::vector<Mend> all;
-  for (const std::int64_t times : {1, 2}) {
-    if (times * wait_s > energy.held.value)
-      all.emplace_back(LongerWait{s.kind.name, times * wait_s});
-  }
-  return all;
-}
 
 // What moves is gated by distances to others, robots and agents. How long it waits for them nothing
 // bounds but what is declared (language rule 6.7): whoever writes `held` accepts that, and the
@@ -60,11 +38,16 @@ Obligation as_long_as_declared(const Subject& s, std::size_t driving, const ir::
   o.because += ", as long as others keep it waiting within `held`, " +
                seconds(s.kind.energy->held.value) + " in all";
   // agents of the simulator stand in nobody's way for long
-  o.declared = by_robots && o.kind == Kind::p2a &&
-               std::ranges::none_of(d.acknowledgements,
-                                    [&](const auto& a) { return a.monitor == judged.name; });
-  if (o.declared) o.mends = waits_for_all_charges(s, judged);
-  return o;
+  if (!by_robots || o.kind != Kind::p2a) return o;
+  const bool unaccepted = std::ranges::none_of(
+      d.acknowledgements, [&](const auto& a) { return a.monitor == judged.name; });
+  const Docking docking = docking_of(s, judged);
+  o.declared = unaccepted || docking.in_turn();
+  if (!o.declared) return o;
+  o.mends = longer_waits(s, docking);
+  if (docking.in_turn() && !d.body.in_space) o.place_mm = docking.at_mm;
+  if (docking.wait_s() <= s.kind.energy->held.value) return o;
+  return held_for_too_long(s, docking, std::move(o));
 }
 
 // How often others take over before the robot is at its dock, and how much longer its way there
@@ -155,6 +138,7 @@ Obligation keeps_its_own(const Subject& s, std::size_t k) {
                                   quoted(m.name) + " allows"});
   }
   o = as_long_as_declared(s, k, m, std::move(o));
+  if (o.status == Status::refuted) return o;
   o.claims.push_back(limits_claim(s));
   o.claims.push_back(recovery_claim(s, k));
   claim_zones(s, k, k, o.claims);

@@ -187,7 +187,7 @@ class Program {
       problem = make_setup(decision, scenario_, seed, setup);
       if (problem) continue;
       charge(decision, functions_[index], scenario_, setup);
-      if (scenario_.tight) tighten(decision, functions_[index], setup);
+      tighten(decision, functions_[index], scenario_, setup);
       return {};
     }
     return problem;

@@ -81,12 +81,14 @@ Start start(const Json& j) {
       s.place = Vec2{number(value[0], key, -far_m, far_m), number(value[1], key, -far_m, far_m)};
     } else if (key == "heading_deg") {
       s.heading_rad = number(value, key, -turn_deg, turn_deg) * sim::pi / (turn_deg / 2);
+    } else if (key == "battery" && value == "tight") {
+      s.tight = true;
     } else if (key == "battery") {
       s.battery = number(value, key, 0, 1);
     } else {
       throw Unfit{"a start of the scenario has `" + key + "`: " + value.dump(),
                   "there are `at`, two numbers in m and in space three, `heading_deg` and "
-                  "`battery`, 1 = full"};
+                  "`battery`, 1 = full, or \"tight\""};
     }
   }
   return s;
@@ -286,6 +288,12 @@ std::string adversary_names() {
   return listed(names);
 }
 
+bool Scenario::is_tight(const std::string& robot) const {
+  return tight || std::any_of(starts.begin(), starts.end(), [&](const auto& start) {
+           return start.first == robot && start.second.tight;
+         });
+}
+
 Problem read_scenario(const std::string& text, Scenario& to) {
   try {
     std::vector<std::set<std::string>> keys;  // of the objects that are open
@@ -328,7 +336,7 @@ Problem check_starts(const Scenario& scenario, const Case& all) {
   for (const DecisionCase& d : all.decisions) {
     for (const auto& [robot, start] : scenario.starts) {
       if (std::find(d.robots.begin(), d.robots.end(), robot) == d.robots.end()) continue;
-      if (start.battery && !has_battery(d.limits)) {
+      if ((start.battery || start.tight) && !has_battery(d.limits)) {
         return {"the scenario says how full the battery of `" + robot + "` is, and `" + d.kind +
                     "` declares none",
                 "leave it out, or declare `sense battery` or `energy` in the robot"};

@@ -32,6 +32,7 @@ struct Start {
   std::optional<Vec2> place;
   std::optional<double> heading_rad, battery;
   std::optional<double> height_m;  // of the place, in space
+  bool tight = false;              // its battery is as empty as control is only just given
 };
 struct Scenario {
   using Value = std::variant<bool, double, std::string>;
@@ -55,6 +56,7 @@ struct Scenario {
   std::optional<TimeUs> deaf_from_us;                 // from then on no robot hears another one
   std::vector<std::pair<std::string, Given>> inputs;  // what they are; the others are drawn
   bool tight = false;  // robots start where control is only just given
+  [[nodiscard]] bool is_tight(const std::string& robot) const;  // its battery
 };
 // Those that take turns: they have something to aim at, and stay within what is declared unless the
 // scenario says for how long samples are lost.

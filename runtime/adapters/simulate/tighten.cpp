@@ -78,9 +78,10 @@ void charge(const DecisionCase& d, const Kernel::Functions& kernel, const Scenar
   }
 }
 
-void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setup) {
+void tighten(const DecisionCase& d, const Kernel::Functions& kernel, const Scenario& scenario,
+             Setup& setup) {
   std::vector<Moving> robots = at_rest(setup);
-  if (robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
+  if (scenario.tight && robots.size() > 1 && speaks(d, sim::PropertyOp::distance)) {
     Oracle oracle(d, kernel, 0, clock_of(d, setup));
     const Vec3 from = robots[0].position, way = robots[1].position - from;
     go_on(oracle, robots,
@@ -88,6 +89,7 @@ void tighten(const DecisionCase& d, const Kernel::Functions& kernel, Setup& setu
   }
   const bool charge = speaks(d, sim::PropertyOp::battery) || speaks(d, sim::PropertyOp::energy_to);
   for (std::size_t i = 0; charge && i < std::min(robots.size(), robots_max); ++i) {
+    if (!scenario.is_tight(d.robots[i])) continue;
     Oracle oracle(d, kernel, static_cast<int>(i), clock_of(d, setup));
     const double full = robots[i].battery;
     go_on(oracle, robots,

@@ -12,7 +12,9 @@ namespace rtac::simulate {
 void charge(const DecisionCase& decision, const Kernel::Functions& kernel, const Scenario& scenario,
             Setup& setup);
 // Moves the first robot as close to the second one, and empties the batteries as far, as the
-// decisions still hand control over at rest. What does not matter to them stays.
-void tighten(const DecisionCase& decision, const Kernel::Functions& kernel, Setup& setup);
+// decisions still hand control over at rest, or, where the scenario asks for that, batteries of
+// some robots alone. What does not matter to them stays.
+void tighten(const DecisionCase& decision, const Kernel::Functions& kernel,
+             const Scenario& scenario, Setup& setup);
 
 }  // namespace rtac::simulate

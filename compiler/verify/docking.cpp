@@ -1,0 +1,79 @@
+#include "compiler/verify/docking.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "compiler/analysis/site_room.h"
+#include "compiler/ir/linear.h"
+#include "compiler/support/words.h"
+
+namespace rtac::verify {
+namespace {
+
+// Of all that is written in its `return when` the most; without any, until it is full.
+std::int64_t charged_level_ppm(const Subject& s, const ir::Monitor& charge) {
+  constexpr std::int64_t full_ppm = 1'000'000;
+  std::int64_t level_ppm = 0;
+  const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
+    const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
+    if (!least || least->leaf.kind != ir::Leaf::Kind::battery) return;
+    level_ppm = std::max(level_ppm, least->need.strictest);
+  };
+  if (charge.return_when) ir::for_each_comparison(*charge.return_when, read);
+  return level_ppm == 0 ? full_ppm : level_ppm;
+}
+
+void find_busiest(const Subject& s, const ir::SiteTable& docks, Docking& docking) {
+  const std::int64_t need_mm = analysis::at_once_mm(s.decision);
+  for (const ir::SiteTable::Place& own : docks.places) {
+    const auto near = std::ranges::count_if(docks.places, [&](const ir::SiteTable::Place& other) {
+      return analysis::square_mm2(own, other) < need_mm * need_mm;
+    });
+    if (near - 1 <= docking.before) continue;  // it counts itself
+    docking.before = near - 1;
+    docking.at_mm = {own.x_mm, own.y_mm};
+  }
+}
+
+}  // namespace
+
+Docking docking_of(const Subject& s, const ir::Monitor& charge) {
+  const sema::Energy& energy = *s.kind.energy;
+  const ir::Recovery& way = ir::last_step(charge.recovery);
+  if (s.decision.open_fleet || energy.charge.value <= 0) return {};
+  if (way.kind != ir::RecoveryKind::route || !way.charges) return {};
+  Docking docking;
+  docking.site = s.module[way.site].name;
+  find_busiest(s, s.module[way.site], docking);
+  docking.level_ppm = charged_level_ppm(s, charge);
+  docking.each_s =
+      ceil_to_int(Rational(Rational(docking.level_ppm, 1'000'000) / energy.charge.value));
+  return docking;
+}
+
+std::vector<Mend> longer_waits(const Subject& s, const Docking& docking) {
+  const std::int64_t before = docking.in_turn() ? docking.before : s.decision.robots - 1;
+  std::vector<Mend> all;
+  for (const std::int64_t times : {1, 2}) {
+    const std::int64_t wait_s = times * before * docking.each_s;
+    if (wait_s > s.kind.energy->held.value) all.emplace_back(LongerWait{s.kind.name, wait_s});
+  }
+  return all;
+}
+
+Obligation held_for_too_long(const Subject& s, const Docking& docking, Obligation o) {
+  const std::string wait = seconds(docking.wait_s());
+  o.status = Status::refuted;
+  o.by_a_run = true;
+  o.because += "; they may do so for " + wait + ": at " + quoted(docking.site) + " it waits for " +
+               (docking.before == 1 ? "another robot, which is"
+                                    : std::to_string(docking.before) + " others, each of them") +
+               " charged up to " + percent(docking.level_ppm) + " before it";
+  o.or_else = "`held <= " + wait + "` in " + quoted(s.kind.name) + ", or places of " +
+              quoted(docking.site) + " that are at least " +
+              metres(analysis::at_once_mm(s.decision)) + " apart, are needed";
+  return o;
+}
+
+}  // namespace rtac::verify

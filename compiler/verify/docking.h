@@ -1,0 +1,34 @@
+// Robots that cannot be at their docks at once: they are charged one after the other, and who waits
+// for the others does so within `held` (language rule 6.7).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/verify/proofs.h"
+
+namespace rtac::verify {
+
+struct Docking {
+  std::string site;
+  std::pair<std::int64_t, std::int64_t> at_mm{};  // of the dock in front of which most robots wait
+  std::int64_t before = 0;                        // how many these are
+  std::int64_t level_ppm = 0;  // up to which each of them is charged, of a full battery
+  std::int64_t each_s = 0;     // how long that takes, from nothing on
+  [[nodiscard]] bool in_turn() const { return before > 0; }
+  [[nodiscard]] std::int64_t wait_s() const { return before * each_s; }
+};
+// Of a monitor whose recovery leads to where it is charged. Where the number of robots is not known
+// nobody is before another one.
+Docking docking_of(const Subject& s, const ir::Monitor& charge);
+
+// A `held` for which all others may be charged first. They come and go, too, which may take as long
+// again.
+std::vector<Mend> longer_waits(const Subject& s, const Docking& docking);
+
+// Where `held` is shorter than that: a run may refute it, and nothing shows it.
+Obligation held_for_too_long(const Subject& s, const Docking& docking, Obligation o);
+
+}  // namespace rtac::verify

@@ -1,0 +1,98 @@
+// Robots that cannot be at their docks at once are charged one after the other (language rule 6.7):
+// how long that takes has to be within `held`.
+#include "tests/compiler/verify/testing.h"
+
+namespace rtac::driver::test {
+namespace {
+
+struct Yard {
+  std::string held = "300", docks = "site dock = (3 m, 5 m);", more, fleet = "one, two";
+};
+// Until one robot is charged up to 90 % it takes 300 s; two of them may be 1 m from each other.
+std::string text_of(const Yard& yard) {
+  return R"(spec docking;
+zone hall = rectangle (0 m, 0 m) to (16 m, 10 m);
+robot Bot {
+  body    radius 25 cm;
+  motion  point { speed <= 0.8 m/s; accel <= 1 m/s^2; brake >= 1 m/s^2; }
+  sense   position : point  error 2 cm   max_age 80 ms;
+  sense   velocity : vector error 2 cm/s max_age 80 ms;
+  sense   battery  : ratio  error 1 %    max_age 2 s;
+  hears   other robots max_age 150 ms;
+  output  push : acceleration;
+  latency 30 ms;
+  energy  { drive <= 0.2 %/m; idle <= 0.01 %/s; drain <= 0.1 %/s; charge >= 0.3 %/s at dock; held <= )" +
+         yard.held + R"( s; detour <= 20 m; }
+}
+fleet )" +
+         yard.fleet + " : Bot;\n" + yard.docks + R"(
+controller go   : advanced for Bot extern;
+controller way  : safe for Bot = yield within hall speed 0.3 m/s order id;
+controller home : safe for Bot = route to dock within hall speed 0.4 m/s;
+monitor apart  for r : Bot { "R1" always forall q : Bot, q != r : distance(r, q) >= 50 cm; recover way; hold when violated "staff"; }
+monitor charge for r : Bot { "R2" always r.battery >= energy_to(dock) + 8 %; recover home; return when r.battery >= 90 %; }
+decision drive for Bot { advanced go; period 100 ms; priority apart > charge; )" +
+         yard.more + "}\n";
+}
+const std::string accepts = "acknowledge way may break charge \"waits are within held\"; ";
+
+class Docking : public Verify {
+ protected:
+  static Json kept(const Yard& yard) {
+    const Outcome o = verified(text_of(yard), {"--format", "json", "--attack", "1"});
+    for (const Json& each : Json::parse(o.out)["decisions"][0]["obligations"]) {
+      if (each["obligation"] == "P2a" && each["monitor"] == "charge") return each;
+    }
+    ADD_FAILURE() << o.err;
+    return {};
+  }
+};
+
+TEST_F(Docking, WhoSharesADockWaitsWithinHeld) {
+  Yard yard{.more = accepts};
+  EXPECT_EQ(kept(yard)["status"], "acknowledged");
+  yard.held = "299";
+  const Json open = kept(yard);
+  EXPECT_EQ(open["status"], "unknown");
+  EXPECT_NE(open["because"].get<std::string>().find(
+                "they may do so for 300 s: at `dock` it waits for another robot, which is charged "
+                "up to 90 % before it"),
+            std::string::npos)
+      << open;
+}
+TEST_F(Docking, OfThreeOneWaitsForTwo) {
+  Yard yard{.held = "599", .more = accepts, .fleet = "one, two, three"};
+  EXPECT_EQ(kept(yard)["status"], "unknown");
+  yard.held = "600";
+  EXPECT_EQ(kept(yard)["status"], "acknowledged");
+}
+// As far apart as two robots may be, nobody waits.
+TEST_F(Docking, DocksThatAreTooNearAreOne) {
+  Yard yard{.held = "60", .more = accepts};
+  const auto docks = [](const std::string& x) {
+    return "site dock(one) = (3 m, 5 m);\nsite dock(two) = (" + x + " m, 5 m);";
+  };
+  yard.docks = docks("3.99");
+  EXPECT_EQ(kept(yard)["status"], "unknown");
+  yard.docks = docks("4");
+  EXPECT_EQ(kept(yard)["status"], "acknowledged");
+}
+// A certificate of one `held` says nothing of a shorter one.
+TEST_F(Docking, ARecheckKnowsHowLongThatTakes) {
+  const Yard enough{.more = accepts};
+  const Outcome o = verified(text_of(enough), {"-o", "certificates", "--attack", "1"});
+  ASSERT_EQ(o.status, exit_clean) << o.out << o.err;
+  EXPECT_EQ(recheck_sealed_anew().status, exit_clean);
+  Yard less = enough;
+  less.held = "299";
+  write("certificates/sources/spec.rta", text_of(less));
+  const Outcome denied = recheck_sealed_anew();
+  EXPECT_EQ(denied.status, exit_violation) << denied.out;
+  EXPECT_NE(denied.out.find("P2a of `charge`: until others are charged before it takes longer "
+                            "than `held`"),
+            std::string::npos)
+      << denied.out;
+}
+
+}  // namespace
+}  // namespace rtac::driver::test
