@@ -4,11 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <string>
 
 namespace rtac::test {
+
+// Which look for theirs.
+inline constexpr const char* programs[] = {"compiler_verify", "compiler_analysis",
+                                           "compiler_driver", "compiler_geometry",
+                                           "differential",    "temporal"};
 
 // What it names of the tests of a program, and the program does not have: a test that has another
 // name now would run every time. And what no program looks for. `label`: what the names of the
@@ -17,8 +23,8 @@ inline std::set<std::string> slow_tests_gone(const std::string& label) {
   std::set<std::string> gone;
   std::ifstream list(std::string(RTAC_SOURCE_DIR) + "/tests/slow.txt");
   for (std::string name; std::getline(list, name);) {
-    const bool is_looked_for =
-        name.starts_with("compiler_verify.") || name.starts_with("compiler_analysis.");
+    const bool is_looked_for = std::ranges::any_of(
+        programs, [&](const char* of) { return name.starts_with(std::string(of) + "."); });
     if (name.starts_with(label + ".") || !is_looked_for) gone.insert(name);
   }
   if (gone.empty()) gone.insert(label + ": none is named");

@@ -78,6 +78,17 @@ std::int64_t kept_off_mm(sema::Spec& spec, const sema::Zone& zone) {
   return least_mm;
 }
 
+// The zone with a name that it is a part of, all else being taken out of that; nullptr: none.
+sema::Zone* around_what_is_kept_off(sema::Spec& spec, const sema::Zone& zone) {
+  const auto* const both = std::get_if<sema::ZoneBinary>(&zone.value->node);
+  if (both == nullptr || both->op != sema::ZoneOp::subtract) return nullptr;
+  const auto* const left = std::get_if<sema::ZoneRef>(&both->left->node);
+  if (left == nullptr) return nullptr;
+  sema::Zone& of = spec.zones[static_cast<std::size_t>(left->zone)];
+  const bool endless = std::holds_alternative<sema::ZoneComplement>(of.value->node);
+  return of.name.empty() || endless ? nullptr : &of;
+}
+
 using Works = std::function<bool(std::int64_t by_mm)>;
 
 // Between what does not work and what does.
@@ -162,28 +173,31 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
   if (name.empty() || std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
     return std::nullopt;
   }
-  sema::ZoneExprPtr& value = zone.value;
-  const std::int64_t far_mm =
-      std::min(std::max(guess_mm, most_mm), kept_off_mm(trials.spec(), zone));
-  if (guess_mm > far_mm) return std::nullopt;
-  const Dial dial{"the growth of " + name,
-                  std::max<std::int64_t>(least_mm - 1, 0),
-                  far_mm,
-                  [&](std::int64_t mm) {
-                    offset(value, mm);
-                    return true;
-                  },
-                  [&] { take_offset_back(value); },
-                  true};
-  const auto by_mm = trials.nearest(dial, guess_mm, fault);
-  const auto closes = [&](const auto& shape) { return closes_a_gap(shape, *by_mm); };
-  if (by_mm && !std::visit(closes, exact)) {
+  const auto grow = [&](sema::Zone& wider, const std::string& called,
+                        std::int64_t far_mm) -> std::optional<std::string> {
+    sema::ZoneExprPtr& value = wider.value;
+    const Dial dial{"the growth of " + called,
+                    std::max<std::int64_t>(least_mm - 1, 0),
+                    far_mm,
+                    [&](std::int64_t mm) {
+                      offset(value, mm);
+                      return true;
+                    },
+                    [&] { take_offset_back(value); },
+                    true};
+    const auto by_mm = trials.nearest(dial, guess_mm, fault);
+    const auto closes = [&](const auto& shape) { return closes_a_gap(shape, *by_mm); };
+    if (!by_mm || (&wider == &zone && std::visit(closes, exact))) return std::nullopt;
     // in its declaration, so that recoveries move in what is wider, too
-    return "`grow(" + name + ", " + metres(*by_mm) + ")` in place of `" + name + "`" +
+    return "`grow(" + called + ", " + metres(*by_mm) + ")` in place of `" + called + "`" +
            (unnamed ? "" : " wherever it is named") + " works" +
            trials.leaves(dial.name, *by_mm, fault);
-  }
-  return std::nullopt;
+  };
+  const std::int64_t far_mm = std::max(guess_mm, most_mm);
+  const std::int64_t own_mm = std::min(far_mm, kept_off_mm(trials.spec(), zone));
+  if (guess_mm <= own_mm) return grow(zone, name, own_mm);
+  sema::Zone* const around = around_what_is_kept_off(trials.spec(), zone);
+  return around != nullptr ? grow(*around, around->name, far_mm) : std::nullopt;
 }
 
 std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex table,

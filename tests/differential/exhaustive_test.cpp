@@ -7,6 +7,7 @@
 
 #include "tests/conformance/formula.h"
 #include "tests/differential/engines.h"
+#include "tests/slow.h"
 #include "tests/turn.h"
 
 namespace rtac::differential {
@@ -181,6 +182,10 @@ TEST_F(SmallScope, HasEveryPairOfOperatorsWithEveryValue) {
   constexpr std::size_t kinds = static_cast<std::size_t>(Op::within);  // behind `atom`
   EXPECT_EQ(inner.size(), kinds * kinds * 3);
   EXPECT_EQ(outer.size(), kinds * kinds * 3);
+}
+
+TEST(SlowTests, AreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("differential"), std::set<std::string>{});
 }
 
 }  // namespace

@@ -83,6 +83,9 @@ Start start(const Json& j) {
       s.heading_rad = number(value, key, -turn_deg, turn_deg) * sim::pi / (turn_deg / 2);
     } else if (key == "battery" && value == "tight") {
       s.tight = true;
+    } else if (key == "battery" && value.is_string()) {
+      throw Unfit{"`battery` of the scenario is " + value.dump(),
+                  "a number from 0 to 1 works, or \"tight\""};
     } else if (key == "battery") {
       s.battery = number(value, key, 0, 1);
     } else {

@@ -281,6 +281,13 @@ std::vector<Offer> offers() {
        part(&About::recovery, "land to +")},
       {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` wherever it is named works", "m",
        1000, Beyond::less, grown},
+      {"`grow\\(\\w+, " + number + " m\\)` in place of `grow\\(\\w+, [0-9.]+ m\\)` works", "m",
+       1000, Beyond::more,
+       [](const About& a, const std::string& value) {
+         const std::string was =
+             first_group(a.finding.help, "in place of `(grow\\(\\w+, [0-9.]+ m\\))` works");
+         return driver::test::edited(a.text, was, was.substr(0, was.find(',') + 2) + value + ")");
+       }},
       {"`grow\\(shrink\\(\\w+, " + number + " m\\), [0-9.]+ m\\)`, which", "m", 1000, Beyond::less,
        opened},
       {"a zone with a ceiling of at most " + number + " m works", "m", 1000, Beyond::more,

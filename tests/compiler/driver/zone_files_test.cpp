@@ -4,6 +4,7 @@
 
 #include "tests/compiler/driver/testing.h"
 #include "tests/compiler/needles.h"
+#include "tests/slow.h"
 
 namespace rtac::driver::test {
 namespace {
@@ -365,6 +366,10 @@ TEST_F(ZoneFiles, SchedulesMayHaveBegunLongAgo) {
       EXPECT_EQ(verdicts, "ttf") << engine << "\n" << o.out;
     }
   }
+}
+
+TEST(SlowTests, AreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("compiler_driver"), std::set<std::string>{});
 }
 
 }  // namespace

@@ -13,6 +13,8 @@
 #include "testing.h"
 #include "zone_view.h"
 
+#include "tests/slow.h"
+
 namespace rtac::geometry {
 namespace {
 
@@ -200,6 +202,10 @@ TEST(Entry, NotThroughAWall) {
   EXPECT_EQ(found.how, Entry::How::beyond);
   EXPECT_LT(found.place.x_mm, 4400);
   EXPECT_GT(ways.astray(true), 100);
+}
+
+TEST(SlowTests, AreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("compiler_geometry"), std::set<std::string>{});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/compiler/driver/testing.h"
@@ -144,7 +145,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "tests/campaign/specs/templates/agents_space.rta",
                     "tests/kernel/agents/strollers.rta", "tests/golden/ahead_command/spec.rta",
                     "tests/golden/space_command/spec.rta",
-                    "specs/robot_delivery/robot_delivery.rta"));
+                    "specs/robot_delivery/robot_delivery.rta"),
+    [](const auto& of) {
+      const std::filesystem::path path = of.param;
+      return (path.stem() == "spec" ? path.parent_path() : path).stem().string();
+    });
 TEST_P(ConservatismOf, EveryMonitorThatSpeaksOfLengths) {
   const std::string path = std::string(RTAC_SOURCE_DIR) + "/" + GetParam();
   const Outcome o = rtac({"verify", path, "--conservatism", "--format", "json"});

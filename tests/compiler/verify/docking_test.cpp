@@ -1,12 +1,15 @@
 // Robots that cannot be at their docks at once are charged one after the other (language rule 6.7):
 // how long that takes has to be within `held`.
+#include <regex>
+
 #include "tests/compiler/verify/testing.h"
 
 namespace rtac::driver::test {
 namespace {
 
 struct Yard {
-  std::string held = "300", docks = "site dock = (3 m, 5 m);", more, fleet = "one, two";
+  std::string held = "300", docks = "site dock = (3 m, 5 m);", dock = "dock", more,
+              fleet = "one, two";
 };
 // Until one robot is charged up to 90 % it takes 300 s; two of them may be 1 m from each other.
 std::string text_of(const Yard& yard) {
@@ -30,7 +33,9 @@ controller go   : advanced for Bot extern;
 controller way  : safe for Bot = yield within hall speed 0.3 m/s order id;
 controller home : safe for Bot = route to dock within hall speed 0.4 m/s;
 monitor apart  for r : Bot { "R1" always forall q : Bot, q != r : distance(r, q) >= 50 cm; recover way; hold when violated "staff"; }
-monitor charge for r : Bot { "R2" always r.battery >= energy_to(dock) + 8 %; recover home; return when r.battery >= 90 %; }
+monitor charge for r : Bot { "R2" always r.battery >= energy_to()" +
+         yard.dock +
+         R"() + 8 %; recover home; return when r.battery >= 90 %; }
 decision drive for Bot { advanced go; period 100 ms; priority apart > charge; )" +
          yard.more + "}\n";
 }
@@ -40,7 +45,12 @@ class Docking : public Verify {
  protected:
   static Json kept(const Yard& yard) {
     const Outcome o = verified(text_of(yard), {"--format", "json", "--attack", "1"});
-    for (const Json& each : Json::parse(o.out)["decisions"][0]["obligations"]) {
+    const Json report = Json::parse(o.out, nullptr, false);
+    if (report.is_discarded()) {
+      ADD_FAILURE() << o.err;
+      return {};
+    }
+    for (const Json& each : report["decisions"][0]["obligations"]) {
       if (each["obligation"] == "P2a" && each["monitor"] == "charge") return each;
     }
     ADD_FAILURE() << o.err;
@@ -68,7 +78,7 @@ TEST_F(Docking, OfThreeOneWaitsForTwo) {
 }
 // As far apart as two robots may be, nobody waits.
 TEST_F(Docking, DocksThatAreTooNearAreOne) {
-  Yard yard{.held = "60", .more = accepts};
+  Yard yard{.held = "60", .dock = "dock(r)", .more = accepts};
   const auto docks = [](const std::string& x) {
     return "site dock(one) = (3 m, 5 m);\nsite dock(two) = (" + x + " m, 5 m);";
   };
@@ -92,6 +102,29 @@ TEST_F(Docking, ARecheckKnowsHowLongThatTakes) {
                             "than `held`"),
             std::string::npos)
       << denied.out;
+}
+
+// The recovery engages soon where a battery begins as empty as may be, and not where it is full.
+TEST_F(Docking, ARunBeginsWithBatteriesThatAreOnlyJustEnough) {
+  write("yard.rta", text_of({.more = accepts}));
+  const auto simulated = [](const std::string& battery) {
+    write("s.json", R"({"starts": {"one": {"at": [3, 5], "battery": )" + battery +
+                        R"(}, "two": {"at": [9, 5], "battery": 1}}, "runs": 4, "duration_s": 5})");
+    return rtac({"sim", "yard.rta", "--scenario", "s.json"});
+  };
+  const auto drives = [&](const std::string& battery) {
+    const Outcome o = simulated(battery);
+    EXPECT_EQ(o.status, exit_clean) << o.out << o.err;
+    std::smatch share;
+    EXPECT_TRUE(std::regex_search(o.out, share, std::regex("charge +home +([0-9.]+) %"))) << o.out;
+    return share.empty() ? -1 : std::stod(share[1]);
+  };
+  EXPECT_GT(drives("\"tight\""), 10);
+  EXPECT_EQ(drives("0.95"), 0);
+  const Outcome refused = simulated("\"full\"");
+  EXPECT_EQ(refused.status, exit_usage);
+  EXPECT_NE(refused.err.find("a number from 0 to 1 works, or \"tight\""), std::string::npos)
+      << refused.err;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/kernel/temporal/reference.h"
+#include "tests/slow.h"
 
 namespace rtac::temporal_test {
 namespace {
@@ -128,6 +129,10 @@ TEST(Exhaustive, SinceOfUnknownsIsTwoBooleanRuns) {
 TEST(ExhaustiveAtLength, SinceOfUnknowns) {
   // The same for all five million pairs of traces of length 7.
   all_of_two(7, {0, 1, 2});
+}
+
+TEST(SlowTests, AreThere) {
+  EXPECT_EQ(rtac::test::slow_tests_gone("temporal"), std::set<std::string>{});
 }
 
 }  // namespace
