@@ -11,7 +11,7 @@
 namespace rtac::recheck {
 namespace {
 
-// Of a full battery; where nothing is written, all of it.
+// Of a full battery; 0: nothing is written.
 Rational charged_up_to(const sema::Spec& spec, const sema::Monitor& charge) {
   Rational most = 0;
   if (charge.return_when) {
@@ -24,7 +24,7 @@ Rational charged_up_to(const sema::Spec& spec, const sema::Monitor& charge) {
       }
     });
   }
-  return most > 0 ? most : Rational(1);
+  return most;
 }
 
 std::vector<sema::Point> docks_of(const sema::Spec& spec, sema::KindId kind, sema::SiteId site) {

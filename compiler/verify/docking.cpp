@@ -11,9 +11,10 @@
 namespace rtac::verify {
 namespace {
 
-// Of all that is written in its `return when` the most; without any, until it is full.
+constexpr std::int64_t full_ppm = 1'000'000;
+
+// Of all that is written in its `return when` the most; 0: nothing is.
 std::int64_t charged_level_ppm(const Subject& s, const ir::Monitor& charge) {
-  constexpr std::int64_t full_ppm = 1'000'000;
   std::int64_t level_ppm = 0;
   const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
     const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
@@ -21,7 +22,7 @@ std::int64_t charged_level_ppm(const Subject& s, const ir::Monitor& charge) {
     level_ppm = std::max(level_ppm, least->need.strictest);
   };
   if (charge.return_when) ir::for_each_comparison(*charge.return_when, read);
-  return level_ppm == 0 ? full_ppm : level_ppm;
+  return level_ppm;
 }
 
 void find_busiest(const Subject& s, const ir::SiteTable& docks, Docking& docking) {
@@ -36,6 +37,10 @@ void find_busiest(const Subject& s, const ir::SiteTable& docks, Docking& docking
   }
 }
 
+std::int64_t seconds_to_charge(const sema::Energy& energy, std::int64_t level_ppm) {
+  return ceil_to_int(Rational(Rational(level_ppm, full_ppm) / energy.charge.value));
+}
+
 }  // namespace
 
 Docking docking_of(const Subject& s, const ir::Monitor& charge) {
@@ -47,17 +52,20 @@ Docking docking_of(const Subject& s, const ir::Monitor& charge) {
   docking.site = s.module[way.site].name;
   find_busiest(s, s.module[way.site], docking);
   docking.level_ppm = charged_level_ppm(s, charge);
-  docking.each_s =
-      ceil_to_int(Rational(Rational(docking.level_ppm, 1'000'000) / energy.charge.value));
+  docking.each_s = seconds_to_charge(energy, docking.level_ppm);
   return docking;
 }
 
 std::vector<Mend> longer_waits(const Subject& s, const Docking& docking) {
-  const std::int64_t before = docking.in_turn() ? docking.before : s.decision.robots - 1;
   std::vector<Mend> all;
+  const sema::Energy& energy = *s.kind.energy;
+  if (s.decision.open_fleet || energy.charge.value <= 0) return all;
+  const std::int64_t before = docking.in_turn() ? docking.before : s.decision.robots - 1;
+  const std::int64_t each_s =
+      docking.each_s > 0 ? docking.each_s : seconds_to_charge(energy, full_ppm);
   for (const std::int64_t times : {1, 2}) {
-    const std::int64_t wait_s = times * before * docking.each_s;
-    if (wait_s > s.kind.energy->held.value) all.emplace_back(LongerWait{s.kind.name, wait_s});
+    const std::int64_t wait_s = times * before * each_s;
+    if (wait_s > energy.held.value) all.emplace_back(LongerWait{s.kind.name, wait_s});
   }
   return all;
 }

@@ -9,7 +9,7 @@ namespace {
 
 struct Yard {
   std::string held = "300", docks = "site dock = (3 m, 5 m);", dock = "dock", more,
-              fleet = "one, two";
+              back = " return when r.battery >= 90 %;", fleet = "one, two";
 };
 // Until one robot is charged up to 90 % it takes 300 s; two of them may be 1 m from each other.
 std::string text_of(const Yard& yard) {
@@ -34,8 +34,7 @@ controller way  : safe for Bot = yield within hall speed 0.3 m/s order id;
 controller home : safe for Bot = route to dock within hall speed 0.4 m/s;
 monitor apart  for r : Bot { "R1" always forall q : Bot, q != r : distance(r, q) >= 50 cm; recover way; hold when violated "staff"; }
 monitor charge for r : Bot { "R2" always r.battery >= energy_to()" +
-         yard.dock +
-         R"() + 8 %; recover home; return when r.battery >= 90 %; }
+         yard.dock + R"() + 8 %; recover home;)" + yard.back + R"( }
 decision drive for Bot { advanced go; period 100 ms; priority apart > charge; )" +
          yard.more + "}\n";
 }
@@ -89,6 +88,13 @@ TEST_F(Docking, DocksThatAreTooNearAreOne) {
   yard.docks = docks("3.99");
   EXPECT_EQ(kept(yard)["status"], "unknown");
   yard.docks = docks("4");
+  EXPECT_EQ(kept(yard)["status"], "acknowledged");
+}
+// Where nothing is written of how full they have to be, none of them stays there for long.
+TEST_F(Docking, WhoIsGivenBackSoonKeepsNobodyWaiting) {
+  Yard yard{.held = "60", .more = accepts};
+  EXPECT_EQ(kept(yard)["status"], "unknown");
+  yard.back = "";
   EXPECT_EQ(kept(yard)["status"], "acknowledged");
 }
 // A certificate of one `held` says nothing of a shorter one.
