@@ -144,7 +144,8 @@ class Deriver {
     sema::RobotKind& kind = spec_.kinds[index(decision.kind)];
     const auto order = decision.priority;
     const auto energy = kind.energy;
-    const auto controllers = spec_.controllers;
+    auto controllers = spec_.controllers;
+    controllers.swap(spec_.controllers);  // who looks at one of them goes on doing so
     std::vector<std::optional<sema::ControllerId>> recoveries;
     for (const sema::MonitorId id : order) recoveries.push_back(spec_[id].recover);
     std::vector<sema::ExprPtr> returns;
@@ -158,7 +159,7 @@ class Deriver {
     if (derived && judge_) found.left.all = judge_(spec_, std::move(*derived), aside, true);
     decision.priority = order;
     kind.energy = energy;
-    spec_.controllers = controllers;
+    spec_.controllers = std::move(controllers);
     for (std::size_t k = 0; k < order.size(); ++k) {
       spec_.monitors[index(order[k])].recover = recoveries[k];
     }

@@ -201,15 +201,19 @@ bool works_recovered_by(Trials& trials, const Fault& fault, const std::string& m
   const auto found = std::ranges::find(spec.monitors, monitor, &sema::Monitor::name);
   if (found == spec.monitors.end()) return false;
   const auto written = found->recover;
+  std::vector<sema::Controller> as_written;
   const Dial dial{"recovery of " + monitor + ": " + recovery.name, 0, 1,
                   [&](std::int64_t) {
+                    // who looks at one of those that are written goes on doing so
+                    as_written = spec.controllers;
+                    as_written.swap(spec.controllers);
                     found->recover = sema::ControllerId(spec.controllers.size());
                     spec.controllers.push_back(recovery);
                     return true;
                   },
                   [&] {
                     found->recover = written;
-                    spec.controllers.pop_back();
+                    spec.controllers = std::move(as_written);
                   }};
   return trials.nearest(dial, 1, fault).has_value();
 }

@@ -142,28 +142,29 @@ class Recoveries {
     d.notes.push_back({std::nullopt, "beyond the property at full speed, it stops up to " +
                                          metres(farther_mm) + " farther on, and stays there"});
     d.notes.push_back({controller_.name_range, "the recovery is declared here"});
+    d.help = ways_out_of(d, asks.clearance);
+    diagnostics_.report(std::move(d));
+  }
+  // Who leads out of a violation, or why nobody has to.
+  std::string ways_out_of(const diag::Diagnostic& d, bool of_place) const {
     const std::string held = "`hold when violated \"why\";` in the monitor";
     // who moves knows no way in a zone that is received later
     const auto speed = ir::asks_for_received(monitor_.property) ? std::nullopt : speed_to_lead();
     const auto zone = zone_to_lead();
     const std::string at = speed ? " speed " + to_decimal(*speed) + " m/s" : "";
-    if (!speed || trials_ == nullptr) {
-      d.help = held + " works";
-    } else if (!asks.clearance) {
-      d.help = "`yield within Z" + at + " order id`, Z being where they may pass, is needed, or " +
-               held + ", which works";
-    } else if (!zone) {
-      d.help = "`retreat within Z" + at + "`, Z being where it holds, is needed, or " + held +
-               ", which works";
-    } else {
-      const std::string back = "`retreat within " + spec_[*zone].name + at + "`";
-      const bool works = leads_back(*zone, *speed, d);
-      const std::string left = works ? "" : trials_->left_last();
-      d.help = works          ? back + " works, or " + held
-               : left.empty() ? held + " works"
-                              : held + " works; " + back + " is not enough (" + left + ")";
+    if (!speed || trials_ == nullptr) return held + " works";
+    if (!of_place) {
+      return "`yield within Z" + at + " order id`, Z being where they may pass, is needed, or " +
+             held + ", which works";
     }
-    diagnostics_.report(std::move(d));
+    if (!zone) {
+      return "`retreat within Z" + at + "`, Z being where it holds, is needed, or " + held +
+             ", which works";
+    }
+    const std::string back = "`retreat within " + spec_[*zone].name + at + "`";
+    if (leads_back(*zone, *speed, d)) return back + " works, or " + held;
+    const std::string left = trials_->left_last();
+    return held + " works" + (left.empty() ? "" : "; " + back + " is not enough (" + left + ")");
   }
   // It is slow enough there, and would not be as soon as it was given back.
   void waits_slow(bool yields) {
@@ -235,7 +236,7 @@ class Recoveries {
   [[nodiscard]] bool leads_back(sema::ZoneId zone, const Rational& speed,
                                 const diag::Diagnostic& reported) const {
     sema::Controller back = controller_;
-    back.name += " that leads back";
+    back.name += " that leads back in " + spec_[zone].name + " at " + to_decimal(speed);
     back.implementation = sema::Retreat{zone, {speed, {}}};
     return works_recovered_by(*trials_, fault_of(reported.code, reported.range), written_.name,
                               std::move(back));

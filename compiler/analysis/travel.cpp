@@ -227,14 +227,15 @@ std::optional<Rational> led_at(const sema::RobotKind& kind, const Rational& want
                                std::int64_t period_us) {
   const auto mmps_up = [](const Rational& speed) { return ceil_to_int(Rational(speed * 1000)); };
   const std::int64_t most_mmps = floor_to_int(Rational(kind.motion.speed.value * 1000));
-  const std::int64_t least_mmps = std::max(mmps_up(wanted), mmps_up(slowest_led(kind, period_us)));
-  for (std::int64_t mmps = least_mmps; mmps <= most_mmps; mmps += mmps / 20 + 1) {
-    const Rational speed(static_cast<long>(mmps), 1000);
-    if (heading_errors(kind, speed, period_us) > heading_errors_most) continue;
+  const std::int64_t least_mmps = std::max<std::int64_t>(mmps_up(slowest_led(kind, period_us)), 1);
+  if (least_mmps > most_mmps) return std::nullopt;
+  for (std::int64_t mmps = std::clamp(mmps_up(wanted), least_mmps, most_mmps);;) {
+    const Rational speed = metres_of(mmps);
     if (kind.in_space && speed > follows_up_to(kind, period_us)) return std::nullopt;
-    return speed;
+    if (heading_errors(kind, speed, period_us) <= heading_errors_most) return speed;
+    if (mmps == most_mmps) return std::nullopt;
+    mmps = std::min(mmps + mmps / 20 + 1, most_mmps);
   }
-  return std::nullopt;
 }
 
 // How far beside its leg what pushes a point mass brings it before its correction settles. While it

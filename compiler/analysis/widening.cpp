@@ -78,15 +78,18 @@ std::int64_t kept_off_mm(sema::Spec& spec, const sema::Zone& zone) {
   return least_mm;
 }
 
-// The zone with a name that it is a part of, all else being taken out of that; nullptr: none.
+// The zone with a name that it is a part of, all else being taken out of that, and nothing of that
+// itself; nullptr: none.
 sema::Zone* around_what_is_kept_off(sema::Spec& spec, const sema::Zone& zone) {
   const auto* const both = std::get_if<sema::ZoneBinary>(&zone.value->node);
   if (both == nullptr || both->op != sema::ZoneOp::subtract) return nullptr;
   const auto* const left = std::get_if<sema::ZoneRef>(&both->left->node);
   if (left == nullptr) return nullptr;
   sema::Zone& of = spec.zones[static_cast<std::size_t>(left->zone)];
+  const auto* const again = std::get_if<sema::ZoneBinary>(&of.value->node);
+  const bool leaves_out = again != nullptr && again->op == sema::ZoneOp::subtract;
   const bool endless = std::holds_alternative<sema::ZoneComplement>(of.value->node);
-  return of.name.empty() || endless ? nullptr : &of;
+  return of.name.empty() || endless || leaves_out ? nullptr : &of;
 }
 
 using Works = std::function<bool(std::int64_t by_mm)>;
@@ -190,7 +193,7 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
     if (!by_mm || (&wider == &zone && std::visit(closes, exact))) return std::nullopt;
     // in its declaration, so that recoveries move in what is wider, too
     return "`grow(" + called + ", " + metres(*by_mm) + ")` in place of `" + called + "`" +
-           (unnamed ? "" : " wherever it is named") + " works" +
+           (wider.name.empty() ? "" : " wherever it is named") + " works" +
            trials.leaves(dial.name, *by_mm, fault);
   };
   const std::int64_t far_mm = std::max(guess_mm, most_mm);

@@ -28,13 +28,13 @@ Scenario place(const std::vector<std::int64_t>& mm) {
   return at;
 }
 
-// The first robot rests at its dock, as good as empty, so that the others wait for it for as long
-// as that may take.
+// One robot rests at its dock, as good as empty, so that the others wait for it for as long as that
+// may take.
 Scenario aimed_at_the_dock(const Obligation& o, const std::vector<std::string>& robots) {
   Scenario queue = aimed_at_charge(o.monitor, 12, 3600);
   queue["starts"] = Scenario::object();
   for (const std::string& robot : robots) queue["starts"][robot]["battery"] = "tight";
-  queue["starts"][robots.front()]["at"] = place({o.place_mm->first, o.place_mm->second});
+  queue["starts"][o.dock->robot]["at"] = place({o.dock->at_mm.first, o.dock->at_mm.second});
   return queue;
 }
 
@@ -203,7 +203,7 @@ std::vector<Scenario> aimed_at(const Obligation& o, const sema::Spec& spec,
   if (o.in_turns) return aimed_at_turns(o, robots, charge);
   if (o.declared) {
     std::vector<Scenario> all{aimed_at_charge(o.monitor, 12, 1200)};  // with each adversary
-    if (o.place_mm) all.push_back(aimed_at_the_dock(o, robots));
+    if (o.dock) all.push_back(aimed_at_the_dock(o, robots));
     return all;
   }
   // whoever keeps the other monitor engaged does so until the charge is gone

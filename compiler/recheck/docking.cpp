@@ -1,6 +1,7 @@
 #include "compiler/recheck/docking.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,18 +12,49 @@
 namespace rtac::recheck {
 namespace {
 
-// Of a full battery; 0: nothing is written.
-Rational charged_up_to(const sema::Spec& spec, const sema::Monitor& charge) {
+// The most charge that a comparison asks for at a dock which has to be true, or false there: from
+// it no way takes any. 0: none.
+Rational asked_by(const sema::Spec& spec, const sema::Compare& c, bool value) {
+  using Op = sema::CompareOp;
+  const bool above = (c.op == Op::greater || c.op == Op::greater_equal) == value;
+  const auto sum =
+      above ? difference(spec, *c.left, *c.right) : difference(spec, *c.right, *c.left);
+  if (!sum || sum->terms.empty() || sum->terms.size() > 2) return 0;
+  Rational battery = 0;
+  for (const auto& [of, by] : sum->terms) {
+    if (of.kind == Measured::Kind::battery) battery = by;
+    const bool way = of.kind == Measured::Kind::energy_to && by == -1;
+    if (of.kind != Measured::Kind::battery && !way) return 0;
+  }
+  const bool alone = sum->terms.size() == 1;
+  return battery > 0 && (alone || battery == 1) ? Rational(-sum->least / battery) : Rational(0);
+}
+
+// The same of all that an expression asks for.
+Rational asked_by(const sema::Spec& spec, const sema::Expr& e, bool value) {
+  if (const auto* c = std::get_if<sema::Compare>(&e.node)) return asked_by(spec, *c, value);
   Rational most = 0;
-  if (charge.return_when) {
-    sema::for_each_expr(*charge.return_when, [&](const sema::Expr& e) {
-      if (!std::holds_alternative<sema::Compare>(e.node)) return;
-      for (const bool value : {true, false}) {
-        const auto limit = limit_of_one(spec, e, value);
-        const bool counts = limit && limit->of.kind == Measured::Kind::battery && limit->at_least;
-        if (counts && (value || !limit->strict)) most = std::max(most, limit->bound);
-      }
-    });
+  const auto* logic = std::get_if<sema::Logic>(&e.node);
+  using Op = sema::LogicOp;
+  const bool either = logic != nullptr && (logic->op == Op::iff || logic->op == Op::logical_xor);
+  bool first = true;
+  sema::for_each_operand(e, [&](const sema::ExprPtr& operand) {
+    const bool turned =
+        logic != nullptr &&
+        (logic->op == Op::logical_not || (logic->op == Op::implies && std::exchange(first, false)));
+    most = std::max(most, asked_by(spec, *operand, value != turned));
+    if (either) most = std::max(most, asked_by(spec, *operand, !value));
+  });
+  return most;
+}
+
+// Of a full battery, by all whose recovery ends at the dock; 0: nothing is written.
+Rational charged_up_to(const sema::Spec& spec, const sema::Decision& decision) {
+  Rational most = 0;
+  for (const sema::MonitorId id : decision.priority) {
+    const sema::Monitor& m = spec[id];
+    if (!m.return_when || !m.recover || !ends_charged(spec, decision, spec[*m.recover])) continue;
+    most = std::max(most, asked_by(spec, *m.return_when, true));
   }
   return most;
 }
@@ -65,7 +97,8 @@ bool docks_for_longer(const sema::Spec& spec, const sema::Decision& decision,
                     }));
   }
   const Rational others(static_cast<long>(std::max<std::ptrdiff_t>(most - 1, 0)));
-  return others * charged_up_to(spec, charge) > kind.energy->held.value * kind.energy->charge.value;
+  return others * charged_up_to(spec, decision) >
+         kind.energy->held.value * kind.energy->charge.value;
 }
 
 }  // namespace rtac::recheck

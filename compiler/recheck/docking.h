@@ -6,8 +6,8 @@
 namespace rtac::recheck {
 
 // Whether robots of the decision that cannot be at their docks at once, by their bodies and by what
-// monitors keep between them, may take longer than `held` until all but one are charged, from
-// nothing up to what `charge` asks for before it gives control back. Not where their number is not
+// monitors keep between them, take longer than `held` until all but one are charged, from
+// nothing up to what has to be so before control is given back there. Not where their number is not
 // known.
 bool docks_for_longer(const sema::Spec& spec, const sema::Decision& decision,
                       const sema::Monitor& charge);

@@ -169,7 +169,8 @@ class Check {
   // that monitor takes over, or another recovery drives.
   bool waits(const sema::Decision& d, const Entry& e) const {
     if (e.kind != "P2a" && e.kind != "C") return false;
-    if (d.on_plan || claim_of(e, "outranks") || claim_of(e, "coordinated")) return false;
+    const bool taken_over = claim_of(e, "outranks") || claim_of(e, "coordinated");
+    if (d.on_plan || (e.kind == "C" && taken_over)) return false;
     const sema::Monitor* const m = monitor(d, e.monitor);
     if (m == nullptr || !m->recover) return false;
     if (claim_of(e, "lasts")) return true;
@@ -540,7 +541,7 @@ class Check {
         fail(whom(d, e) + ": nobody accounts for the charge that `" + spec_[*m.recover].name +
              "` spends");
       }
-      if (waits(d, e) && docks_for_longer(spec_, d, m)) {
+      if (docks_for_longer(spec_, d, m)) {
         fail(whom(d, e) + ": until others are charged before it takes longer than `held`");
       }
     }

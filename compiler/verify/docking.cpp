@@ -13,15 +13,27 @@ namespace {
 
 constexpr std::int64_t full_ppm = 1'000'000;
 
-// Of all that is written in its `return when` the most; 0: nothing is.
-std::int64_t charged_level_ppm(const Subject& s, const ir::Monitor& charge) {
+bool is_charged_by(const ir::Monitor& m) {
+  const ir::Recovery& way = ir::last_step(m.recovery);
+  return way.kind == ir::RecoveryKind::route && way.charges;
+}
+
+// What keeps robots there: of all that is written in the `return when` of who is charged the most,
+// at the dock, from where no way takes any charge; 0: nothing is.
+std::int64_t charged_level_ppm(const ir::Decision& decision) {
+  const auto& params = decision.facts.params;
   std::int64_t level_ppm = 0;
   const auto read = [&](const ir::Block& block, const ir::AtLeast& compare) {
-    const auto least = ir::lower_bound(block, compare, s.decision.facts.params);
-    if (!least || least->leaf.kind != ir::Leaf::Kind::battery) return;
-    level_ppm = std::max(level_ppm, least->need.strictest);
+    const auto least = ir::lower_bound(block, compare, params);
+    if (least && least->leaf.kind == ir::Leaf::Kind::battery) {
+      level_ppm = std::max(level_ppm, least->need.strictest);
+    } else if (const auto way = ir::charge_for_way(block, compare, params)) {
+      level_ppm = std::max(level_ppm, way->reserve.strictest);
+    }
   };
-  if (charge.return_when) ir::for_each_comparison(*charge.return_when, read);
+  for (const ir::Monitor& m : decision.monitors) {
+    if (is_charged_by(m) && m.return_when) ir::for_each_comparison(*m.return_when, read);
+  }
   return level_ppm;
 }
 
@@ -33,6 +45,7 @@ void find_busiest(const Subject& s, const ir::SiteTable& docks, Docking& docking
     });
     if (near - 1 <= docking.before) continue;  // it counts itself
     docking.before = near - 1;
+    docking.robot = own.robot;
     docking.at_mm = {own.x_mm, own.y_mm};
   }
 }
@@ -45,13 +58,12 @@ std::int64_t seconds_to_charge(const sema::Energy& energy, std::int64_t level_pp
 
 Docking docking_of(const Subject& s, const ir::Monitor& charge) {
   const sema::Energy& energy = *s.kind.energy;
-  const ir::Recovery& way = ir::last_step(charge.recovery);
-  if (s.decision.open_fleet || energy.charge.value <= 0) return {};
-  if (way.kind != ir::RecoveryKind::route || !way.charges) return {};
+  if (s.decision.open_fleet || energy.charge.value <= 0 || !is_charged_by(charge)) return {};
+  const ir::SiteTable& docks = s.module[ir::last_step(charge.recovery).site];
   Docking docking;
-  docking.site = s.module[way.site].name;
-  find_busiest(s, s.module[way.site], docking);
-  docking.level_ppm = charged_level_ppm(s, charge);
+  docking.site = docks.name;
+  find_busiest(s, docks, docking);
+  docking.level_ppm = charged_level_ppm(s.decision);
   docking.each_s = seconds_to_charge(energy, docking.level_ppm);
   return docking;
 }

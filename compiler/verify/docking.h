@@ -13,10 +13,13 @@ namespace rtac::verify {
 
 struct Docking {
   std::string site;
-  std::pair<std::int64_t, std::int64_t> at_mm{};  // of the dock in front of which most robots wait
-  std::int64_t before = 0;                        // how many these are
-  // Up to which its `return when` has each of them charged, of a full battery, and how long that
-  // takes, from nothing on; 0: it says nothing of that, and none waits there for long.
+  // Of the dock in front of which most robots wait: whose it is, where, and how many these are.
+  std::string robot;
+  std::pair<std::int64_t, std::int64_t> at_mm{};
+  std::int64_t before = 0;
+  // Up to which a `return when` has each of them charged, of a full battery, and how long that
+  // takes at least, from nothing on; 0: none says anything of that, and nobody waits there for
+  // long.
   std::int64_t level_ppm = 0, each_s = 0;
   [[nodiscard]] bool in_turn() const { return before > 0; }
   [[nodiscard]] std::int64_t wait_s() const { return before * each_s; }

@@ -151,8 +151,14 @@ struct Obligation {
   // Of what is acknowledged: by a limit on what others do, which a run may show to be broken; and
   // whether runs were played.
   bool declared = false, played = false;
+  // Of what is declared: the dock that robots wait for, in mm, and whose it is.
+  struct Dock {
+    std::string robot;
+    std::pair<std::int64_t, std::int64_t> at_mm;
+  };
+  std::optional<Dock> dock{};
   // Of what is refuted: where a robot would be in trouble, in mm; of `keeps`, by a recovery that
-  // leads nowhere from there. Of what is declared: the dock that robots wait for, of the first one.
+  // leads nowhere from there.
   std::optional<std::pair<std::int64_t, std::int64_t>> place_mm{};
   // Of what is refuted: nothing but a run shows it, and without one it is unknown.
   bool by_a_run = false;

@@ -45,7 +45,7 @@ Obligation as_long_as_declared(const Subject& s, std::size_t driving, const ir::
   o.declared = unaccepted || docking.in_turn();
   if (!o.declared) return o;
   o.mends = longer_waits(s, docking);
-  if (docking.in_turn() && !d.body.in_space) o.place_mm = docking.at_mm;
+  if (docking.in_turn() && !d.body.in_space) o.dock = {docking.robot, docking.at_mm};
   if (docking.wait_s() <= s.kind.energy->held.value) return o;
   return held_for_too_long(s, docking, std::move(o));
 }

@@ -66,7 +66,7 @@ TEST_F(Docking, WhoSharesADockWaitsWithinHeld) {
   EXPECT_EQ(kept(yard)["status"], "acknowledged");
   yard.held = "299";
   const Json open = kept(yard);
-  EXPECT_EQ(open["status"], "unknown");
+  EXPECT_NE(open["status"], "acknowledged");
   EXPECT_NE(open["because"].get<std::string>().find(
                 "they may do so for 300 s: at `dock` it waits for another robot, which is charged "
                 "up to 90 % before it"),
@@ -75,7 +75,7 @@ TEST_F(Docking, WhoSharesADockWaitsWithinHeld) {
 }
 TEST_F(Docking, OfThreeOneWaitsForTwo) {
   Yard yard{.held = "599", .more = accepts, .fleet = "one, two, three"};
-  EXPECT_EQ(kept(yard)["status"], "unknown");
+  EXPECT_NE(kept(yard)["status"], "acknowledged");
   yard.held = "600";
   EXPECT_EQ(kept(yard)["status"], "acknowledged");
 }
@@ -86,14 +86,30 @@ TEST_F(Docking, DocksThatAreTooNearAreOne) {
     return "site dock(one) = (3 m, 5 m);\nsite dock(two) = (" + x + " m, 5 m);";
   };
   yard.docks = docks("3.99");
-  EXPECT_EQ(kept(yard)["status"], "unknown");
+  EXPECT_NE(kept(yard)["status"], "acknowledged");
   yard.docks = docks("4");
   EXPECT_EQ(kept(yard)["status"], "acknowledged");
+}
+// Whatever asks for it, and whoever is led there: 90 %, as both see it.
+TEST_F(Docking, AllThatIsWrittenOfACharge) {
+  for (const char* back :
+       {" return when r.battery >= energy_to(dock) + 90 %;", " return when not (r.battery < 90 %);",
+        " return when r.battery >= 30 % and (r.battery < 95 % or r.speed <= "
+        "1 m/s) and r.battery >= 90 %;"}) {
+    Yard yard{.more = accepts, .back = back};
+    const Outcome o = verified(text_of(yard), {"-o", "certificates", "--attack", "1"});
+    EXPECT_EQ(o.status, exit_clean) << back << o.out << o.err;
+    EXPECT_EQ(recheck_sealed_anew().status, exit_clean) << back;
+    yard.held = "299";
+    EXPECT_NE(kept(yard)["status"], "acknowledged") << back;
+    write("certificates/sources/spec.rta", text_of(yard));
+    EXPECT_NE(recheck_sealed_anew().out.find("until others are charged"), std::string::npos);
+  }
 }
 // Where nothing is written of how full they have to be, none of them stays there for long.
 TEST_F(Docking, WhoIsGivenBackSoonKeepsNobodyWaiting) {
   Yard yard{.held = "60", .more = accepts};
-  EXPECT_EQ(kept(yard)["status"], "unknown");
+  EXPECT_NE(kept(yard)["status"], "acknowledged");
   yard.back = "";
   EXPECT_EQ(kept(yard)["status"], "acknowledged");
 }
