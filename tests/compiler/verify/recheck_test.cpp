@@ -92,6 +92,18 @@ TEST_F(Recheck, WhatIsDeclaredIsNotProvedAndRestsOnItsClaims) {
   const Outcome proved = with("declared", [](Json& o) { o["status"] = "proved"; });
   EXPECT_EQ(proved.status, exit_violation) << proved.out;
   EXPECT_NE(proved.out.find("is declared, and not proved"), std::string::npos) << proved.out;
+  // a claim that is true and beside the point changes nothing of that
+  const Json higher = {{"claim", "outranks"},
+                       {"decision", report_["decisions"][0]["decision"]},
+                       {"higher", "collision"},
+                       {"lower", "battery"}};
+  const Outcome outranked = with("declared", [&](Json& o) {
+    if (o["obligation"] != "P2a") return;
+    o["status"] = "proved";
+    o["claims"].push_back(higher);
+  });
+  EXPECT_EQ(outranked.status, exit_violation) << outranked.out;
+  EXPECT_NE(outranked.out.find("is declared, and not proved"), std::string::npos) << outranked.out;
   const Outcome empty = with("declared", [](Json& o) { o["claims"] = Json::array(); });
   EXPECT_EQ(empty.status, exit_violation) << empty.out;
   // what is accepted in so many words is not looked at, and so lends itself to no other proof
