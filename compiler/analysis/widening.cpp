@@ -66,8 +66,37 @@ void find_narrowing(sema::Spec& spec, sema::ZoneExpr& zone, bool kept,
   }
 }
 
-// As far as a zone may grow without reaching what its author keeps it off by a distance.
+// Whether it is all but another zone.
+bool is_all_but(const sema::Spec& spec, const sema::ZoneExpr& part) {
+  if (std::holds_alternative<sema::ZoneComplement>(part.node)) return true;
+  const auto* ref = std::get_if<sema::ZoneRef>(&part.node);
+  return ref != nullptr && is_all_but(spec, *spec[ref->zone].value);
+}
+
+// Whether something is taken out of a zone, in what has no name of its own, and that without a
+// distance to keep off it.
+bool leaves_out_plainly(sema::Spec& spec, sema::ZoneExpr& zone) {
+  const auto plainly = [&](sema::ZoneExpr& out, bool kept) {
+    std::vector<sema::ZoneExpr*> distances;
+    find_narrowing(spec, out, kept, distances);
+    return distances.empty();
+  };
+  if (auto* both = std::get_if<sema::ZoneBinary>(&zone.node)) {
+    const bool right = both->op == sema::ZoneOp::subtract ? plainly(*both->right, false)
+                                                          : leaves_out_plainly(spec, *both->right);
+    return right || leaves_out_plainly(spec, *both->left);
+  }
+  if (is_all_but(spec, zone)) return plainly(zone, true);
+  if (const auto* ref = std::get_if<sema::ZoneRef>(&zone.node)) {
+    const sema::Zone& of = spec.zones[static_cast<std::size_t>(ref->zone)];
+    return of.name.empty() && leaves_out_plainly(spec, *of.value);
+  }
+  return false;
+}
+
+// As far as a zone may grow without reaching what its author keeps it off.
 std::int64_t kept_off_mm(sema::Spec& spec, const sema::Zone& zone) {
+  if (leaves_out_plainly(spec, *zone.value)) return 0;
   std::vector<sema::ZoneExpr*> narrows;
   find_narrowing(spec, *zone.value, true, narrows);
   std::int64_t least_mm = std::numeric_limits<std::int64_t>::max();
@@ -78,18 +107,43 @@ std::int64_t kept_off_mm(sema::Spec& spec, const sema::Zone& zone) {
   return least_mm;
 }
 
-// The zone with a name that it is a part of, all else being taken out of that, and nothing of that
-// itself; nullptr: none.
-sema::Zone* around_what_is_kept_off(sema::Spec& spec, const sema::Zone& zone) {
-  const auto* const both = std::get_if<sema::ZoneBinary>(&zone.value->node);
-  if (both == nullptr || both->op != sema::ZoneOp::subtract) return nullptr;
-  const auto* const left = std::get_if<sema::ZoneRef>(&both->left->node);
-  if (left == nullptr) return nullptr;
-  sema::Zone& of = spec.zones[static_cast<std::size_t>(left->zone)];
-  const auto* const again = std::get_if<sema::ZoneBinary>(&of.value->node);
-  const bool leaves_out = again != nullptr && again->op == sema::ZoneOp::subtract;
-  const bool endless = std::holds_alternative<sema::ZoneComplement>(of.value->node);
-  return of.name.empty() || endless || leaves_out ? nullptr : &of;
+// What is grown, and what it is called where it is written.
+struct Growing {
+  sema::ZoneExprPtr& value;
+  std::string called;
+  bool named;
+};
+
+// What is left where nothing is taken out of a zone; nullptr: nothing is.
+sema::ZoneExprPtr* whole_of(const sema::Spec& spec, sema::ZoneExpr& zone) {
+  auto* const both = std::get_if<sema::ZoneBinary>(&zone.node);
+  if (both == nullptr || both->op == sema::ZoneOp::unite) return nullptr;
+  if (both->op == sema::ZoneOp::subtract || is_all_but(spec, *both->right)) return &both->left;
+  return is_all_but(spec, *both->left) ? &both->right : nullptr;
+}
+
+// Of a zone that something is taken out of: what that is taken out of.
+std::optional<Growing> around_what_is_kept_off(sema::Spec& spec, sema::Zone& zone) {
+  sema::ZoneExprPtr* value = &zone.value;
+  std::string name;
+  while (true) {
+    if (sema::ZoneExprPtr* whole = whole_of(spec, **value)) {
+      value = whole;
+      name.clear();
+    } else if (const auto* ref = std::get_if<sema::ZoneRef>(&(*value)->node)) {
+      sema::Zone& of = spec.zones[static_cast<std::size_t>(ref->zone)];
+      value = &of.value;
+      name = of.name;
+    } else {
+      break;
+    }
+  }
+  const bool narrowed = std::holds_alternative<sema::ZoneOffset>((*value)->node);
+  if (value == &zone.value || narrowed || is_all_but(spec, **value)) return std::nullopt;
+  const bool named = !name.empty();
+  if (!named) name = zone_text(spec, **value);
+  if (name.empty()) return std::nullopt;
+  return Growing{*value, std::move(name), named};
 }
 
 using Works = std::function<bool(std::int64_t by_mm)>;
@@ -176,31 +230,31 @@ std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex table
   if (name.empty() || std::holds_alternative<sema::ZoneComplement>(zone.value->node)) {
     return std::nullopt;
   }
-  const auto grow = [&](sema::Zone& wider, const std::string& called,
-                        std::int64_t far_mm) -> std::optional<std::string> {
-    sema::ZoneExprPtr& value = wider.value;
+  const auto grow = [&](const Growing& wider, std::int64_t far_mm) -> std::optional<std::string> {
+    const std::string& called = wider.called;
     const Dial dial{"the growth of " + called,
                     std::max<std::int64_t>(least_mm - 1, 0),
                     far_mm,
                     [&](std::int64_t mm) {
-                      offset(value, mm);
+                      offset(wider.value, mm);
                       return true;
                     },
-                    [&] { take_offset_back(value); },
+                    [&] { take_offset_back(wider.value); },
                     true};
     const auto by_mm = trials.nearest(dial, guess_mm, fault);
     const auto closes = [&](const auto& shape) { return closes_a_gap(shape, *by_mm); };
-    if (!by_mm || (&wider == &zone && std::visit(closes, exact))) return std::nullopt;
+    const bool itself = &wider.value == &zone.value;
+    if (!by_mm || (itself && std::visit(closes, exact))) return std::nullopt;
     // in its declaration, so that recoveries move in what is wider, too
     return "`grow(" + called + ", " + metres(*by_mm) + ")` in place of `" + called + "`" +
-           (wider.name.empty() ? "" : " wherever it is named") + " works" +
+           (wider.named ? " wherever it is named" : "") + " works" +
            trials.leaves(dial.name, *by_mm, fault);
   };
   const std::int64_t far_mm = std::max(guess_mm, most_mm);
   const std::int64_t own_mm = std::min(far_mm, kept_off_mm(trials.spec(), zone));
-  if (guess_mm <= own_mm) return grow(zone, name, own_mm);
-  sema::Zone* const around = around_what_is_kept_off(trials.spec(), zone);
-  return around != nullptr ? grow(*around, around->name, far_mm) : std::nullopt;
+  if (guess_mm <= own_mm) return grow({zone.value, name, !unnamed}, own_mm);
+  const auto around = around_what_is_kept_off(trials.spec(), zone);
+  return around ? grow(*around, far_mm) : std::nullopt;
 }
 
 std::optional<std::string> opening_that_works(Trials& trials, ir::ZoneIndex table,

@@ -40,9 +40,9 @@ using ExactShape = std::variant<geometry::Region, geometry::Solid>;
 // "`grow(yard, 0.2 m)` in place of `yard` works": of a distance that the author has written in the
 // zone, what there may be of it (distance_that_works); else the least growth of the zone with which
 // the whole specification has been tried, looked for from `guess_mm` to `most_mm`, and no less than
-// `least_mm`, which is no more than the guess; and where that would reach what is kept off by such
-// a distance, of the zone around. none: as of other numbers (Trials::nearest), or what the zone
-// leaves out would be grown over.
+// `least_mm`, which is no more than the guess; and where that would reach into what the zone leaves
+// out, or is kept off by a distance, of the zone around. None: as of other numbers
+// (Trials::nearest), or what the zone leaves out would be grown over.
 std::optional<std::string> growth_that_works(Trials& trials, ir::ZoneIndex zone,
                                              const ExactShape& exact, std::int64_t guess_mm,
                                              std::int64_t most_mm, const Fault& fault,

@@ -281,6 +281,13 @@ std::vector<Offer> offers() {
        part(&About::recovery, "land to +")},
       {"`grow\\(\\w+, " + number + " m\\)` in place of `\\w+` wherever it is named works", "m",
        1000, Beyond::less, grown},
+      {"`grow\\([^`(]+\\([^`]*, " + number + " m\\)` in place of `[a-z]+ \\([^`]*` works", "m",
+       1000, Beyond::less,
+       [](const About& a, const std::string& value) {
+         const std::string was =
+             first_group(a.finding.help, "in place of `([a-z]+ \\([^`]*)` works");
+         return driver::test::edited(a.text, was, "grow(" + was + ", " + value + ")");
+       }},
       {"`grow\\(\\w+, " + number + " m\\)` in place of `grow\\(\\w+, [0-9.]+ m\\)` works", "m",
        1000, Beyond::more,
        [](const About& a, const std::string& value) {
