@@ -214,11 +214,17 @@ int recheck_certificates(const Options& options, Compilation& c, std::ostream& o
     return refuse(c, diag::Code::cannot_write, scratch.problem(), "make room, or set TMPDIR");
   }
   bool hangs = false;
-  const recheck::Provers provers{
-      [&](const std::string& lemma) { return prove(lemma, folder, scratch.path(), hangs); },
-      [&](const protocol::Model& model) { return prove_model(model, folder); }};
+  std::vector<std::string> read = read_of(folder, c);
+  const recheck::Provers provers{[&](const std::string& lemma) {
+                                   read.push_back("lemmas/" + lemma + ".smt2");
+                                   return prove(lemma, folder, scratch.path(), hangs);
+                                 },
+                                 [&](const protocol::Model& model) {
+                                   read.push_back("models/" + model.decision + ".pml");
+                                   return prove_model(model, folder);
+                                 }};
   const recheck::Outcome outcome = recheck::recheck(*c.spec, c.sources, *report, provers);
-  const std::vector<std::string> broken = broken_seals(folder, read_of(folder, c));
+  const std::vector<std::string> broken = broken_seals(folder, read);
   for (const std::string& file : broken) {
     out << "not proved: `" << file << "` is not what was written: its seal is broken\n";
   }

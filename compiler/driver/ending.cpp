@@ -90,6 +90,7 @@ int wait_for_child() {
          errno == EINTR) {
   }
   const Quiet quiet;
+  ::kill(-child, SIGKILL);  // what it has started, and what has not listened to it
   int status = 0;
   ::waitpid(child, &status, 0);
   child = 0;

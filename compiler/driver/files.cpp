@@ -22,11 +22,20 @@ class Staging {
   ~Staging() {
     std::error_code ignored;
     for (const auto& [temporary, target] : staged_) fs::remove(temporary, ignored);
+    // which is for those that are empty
+    for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) {
+      fs::remove(*folder, ignored);
+    }
   }
   std::string write(const fs::path& target, const std::string& text) {
     std::error_code error;
     const fs::path directory = target.parent_path();
     if (!directory.empty() && !fs::is_directory(directory, error)) {
+      std::vector<fs::path> missing;
+      for (fs::path at = directory; !at.empty() && !fs::exists(at, error); at = at.parent_path()) {
+        missing.push_back(at);
+      }
+      made_.insert(made_.end(), missing.rbegin(), missing.rend());
       fs::create_directories(directory, error);
       if (error) {
         return "cannot create the directory `" + directory.string() + "`: " + error.message();
@@ -85,6 +94,7 @@ class Staging {
 
   std::vector<std::pair<fs::path, std::string>> special_;
   std::vector<std::pair<fs::path, fs::path>> staged_;
+  std::vector<fs::path> made_;  // folders, from the outside inwards
 };
 
 }  // namespace

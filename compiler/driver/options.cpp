@@ -53,7 +53,8 @@ std::string value_hint(const std::string& flag, bool picture = false) {
   if (flag == "--attack") return "`--attack 60`";
   if (flag == "--adversary") return "`--adversary chase-fence`";
   if (flag == "--in") return "`--in main.rta`";
-  return "`" + flag + (flag == "-o" && !picture ? " DIR`" : " FILE`");
+  const bool folder = (flag == "-o" && !picture) || flag == "--recheck";
+  return "`" + flag + (folder ? " DIR`" : " FILE`");
 }
 
 bool asks_for_help(const std::string& word) {

@@ -107,7 +107,9 @@ ProgramResult run_program(const std::vector<std::string>& words, const std::stri
   if (const int error = run_child(words, out, err, status); error != 0) {
     return {false, false, 0, std::strerror(error)};
   }
-  return {true, false, WIFEXITED(status) ? WEXITSTATUS(status) : -1, ""};
+  constexpr int signalled = 128;  // as shells say it
+  const int ended = WIFEXITED(status) ? WEXITSTATUS(status) : signalled + WTERMSIG(status);
+  return {true, false, ended, ""};
 }
 
 ProgramResult run_within(int seconds, std::vector<std::string> words, const std::string& log) {

@@ -28,7 +28,7 @@ class TemporaryFolder {
 struct ProgramResult {
   bool started = false;
   bool timed_out = false;
-  int status = 0;       // of its exit; a signal counts as failure
+  int status = 0;       // of its exit, or 128 and the signal that ended it
   std::string problem;  // why it did not start
 };
 // Runs `words` and waits; what it says goes to the file `log`, or to the files `out` and `err`.

@@ -44,6 +44,7 @@ class Check {
         fail("nothing is said of decision `" + d.name + "`");
         continue;
       }
+      if (part->robot != spec_[d.kind].name) fail("`" + d.name + "` is about another robot");
       complete(d, *part);
       for (const Entry& e : part->entries) {
         if (e.kind != switching) entry(d, e, *part);
@@ -700,13 +701,14 @@ class Check {
 
 Outcome recheck(const sema::Spec& spec, const SourceManager& sources, const std::string& report,
                 const Provers& provers) {
-  const auto parts = read_report(report);
-  if (!parts) {
+  const auto said = read_report(report);
+  if (!said || said->spec != spec.name) {
     Outcome out;
-    out.failed.emplace_back("verification.json is no report of `rtac verify`");
+    out.failed.emplace_back(said ? "verification.json is about `" + said->spec + "`"
+                                 : "verification.json is no report of `rtac verify`");
     return out;
   }
-  return Check(spec, sources, provers).run(*parts);
+  return Check(spec, sources, provers).run(said->parts);
 }
 
 }  // namespace rtac::recheck

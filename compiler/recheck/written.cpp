@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace rtac::recheck {
 namespace {
@@ -13,17 +14,35 @@ std::string text(const Json& j, const char* key) {
   return at != j.end() && at->is_string() ? at->get<std::string>() : "";
 }
 
+// nullopt: it is none, or has a key twice, of which each reader may take another one.
+std::optional<Json> object_of(const std::string& report) {
+  using Event = Json::parse_event_t;
+  std::vector<std::set<std::string>> keys;
+  bool twice = false;
+  const auto look = [&](int, Event event, Json& parsed) {
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_end) keys.pop_back();
+    if (event == Event::key) twice |= !keys.back().insert(parsed.get<std::string>()).second;
+    return true;
+  };
+  Json j = Json::parse(report, look, false);
+  return j.is_object() && !twice ? std::optional(std::move(j)) : std::nullopt;
+}
+
 }  // namespace
 
-std::optional<std::vector<Part>> read_report(const std::string& report) {
-  const Json j = Json::parse(report, nullptr, false);
-  if (!j.is_object() || !j.contains("decisions") || !j["decisions"].is_array()) return std::nullopt;
+std::optional<Report> read_report(const std::string& report) {
+  const auto object = object_of(report);
+  if (!object) return std::nullopt;
+  const Json& j = *object;
+  const bool whole = j.contains("complete") && j["complete"] == true;
+  if (!whole || !j.contains("decisions") || !j["decisions"].is_array()) return std::nullopt;
   std::vector<Part> parts;
   for (const Json& d : j["decisions"]) {
     if (!d.is_object() || !d.contains("obligations") || !d["obligations"].is_array()) {
       return std::nullopt;
     }
-    Part part{text(d, "decision"), {}};
+    Part part{text(d, "decision"), text(d, "robot"), {}};
     for (const Json& o : d["obligations"]) {
       if (!o.is_object()) return std::nullopt;
       Entry e{
@@ -43,7 +62,7 @@ std::optional<std::vector<Part>> read_report(const std::string& report) {
     }
     parts.push_back(std::move(part));
   }
-  return parts;
+  return Report{text(j, "spec"), std::move(parts)};
 }
 
 const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,

@@ -14,12 +14,16 @@ struct Entry {
   std::vector<Claim> claims;
 };
 struct Part {
-  std::string decision;
+  std::string decision, robot;
   std::vector<Entry> entries;
 };
+struct Report {
+  std::string spec;
+  std::vector<Part> parts;
+};
 
-// nullopt: it is no report.
-std::optional<std::vector<Part>> read_report(const std::string& report);
+// nullopt: it is no report, or not a whole one, or it says something twice.
+std::optional<Report> read_report(const std::string& report);
 
 // nullptr: it is not there.
 const Entry* find(const Part& part, const std::string& kind, const std::string& monitor,

@@ -59,15 +59,45 @@ TEST_F(Recheck, ABrokenSealIsNoticed) {
   write("certificates/seals", "");
   EXPECT_EQ(rtac(words).status, exit_violation);
   // a line that was taken out
-  const std::size_t at = seals.find("  sources/spec.rta\n");
-  ASSERT_NE(at, std::string::npos) << seals;
-  const std::size_t begin = seals.rfind('\n', at) + 1;
-  write("certificates/seals", seals.substr(0, begin) + seals.substr(seals.find('\n', at) + 1));
-  const Outcome less = rtac(words);
-  EXPECT_EQ(less.status, exit_violation) << less.out;
-  EXPECT_NE(less.out.find("`sources/spec.rta` is not what was written"), std::string::npos);
+  for (const std::string file : {"sources/spec.rta", "lemmas/capsule.smt2", "models/fly.pml"}) {
+    const std::size_t at = seals.find("  " + file + "\n");
+    ASSERT_NE(at, std::string::npos) << seals;
+    const std::size_t begin = seals.rfind('\n', at) + 1;  // of the first line: 0
+    write("certificates/seals", seals.substr(0, begin) + seals.substr(seals.find('\n', at) + 1));
+    const Outcome less = rtac(words);
+    EXPECT_EQ(less.status, exit_violation) << less.out;
+    EXPECT_NE(less.out.find("`" + file + "` is not what was written"), std::string::npos);
+  }
   write("certificates/seals", seals);
   EXPECT_EQ(rtac(words).status, exit_clean);
+}
+
+TEST_F(Recheck, NothingIsLeftOfWhatCannotBeWritten) {
+  fs::create_directories("full/verification.json");
+  const Outcome o = verified(drone_spec(), {"-o", "full"});
+  EXPECT_EQ(o.status, exit_usage) << o.out << o.err;
+  EXPECT_NE(o.err.find("`full/verification.json` is a directory"), std::string::npos) << o.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator("full"), fs::directory_iterator()), 1);
+}
+
+TEST_F(Recheck, AReportOfSomethingElseIsNone) {
+  const auto noticed = [&](const std::string& text, const std::string& why) {
+    write("certificates/verification.json", text);
+    const Outcome o = rechecked();
+    EXPECT_EQ(o.status, exit_violation) << o.out;
+    EXPECT_NE(o.out.find(why), std::string::npos) << o.out;
+  };
+  const std::string none = "verification.json is no report of `rtac verify`";
+  const std::string text = report_.dump();
+  noticed(edited(text, "\"complete\":true", "\"complete\":false"), none);
+  noticed(edited(text, "\"status\":\"proved\"", "\"status\":\"refuted\",\"status\":\"proved\""),
+          none);
+  Json report = report_;
+  report["spec"] = "perfectly_safe";
+  noticed(report.dump(), "verification.json is about `perfectly_safe`");
+  report = report_;
+  report["decisions"][0]["robot"] = "Tank";
+  noticed(report.dump(), "`fly` is about another robot");
 }
 
 TEST_F(Recheck, WhatIsProvedIsFoundOnceMore) {
@@ -384,7 +414,7 @@ decision fly for Quad { advanced policy; period 50 ms; priority roof; }
 
 TEST_F(Recheck, AMutatedModelIsNoticed) {
   write_delivery();
-  const std::string path = "certificates/models/plan_executor.pml";
+  const std::string path = "certificates/models/fly.pml";
   const std::string text = read(path);
   write(path, edited(text, "!surrender && before != 0 && open != NOBODY", "false"));
   EXPECT_EQ(rechecked().status, exit_violation);

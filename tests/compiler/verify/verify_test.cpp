@@ -1,4 +1,8 @@
 // `rtac verify`: what is proved, acknowledged, unknown and refuted, and its exit codes.
+#include <chrono>
+#include <fstream>
+#include <thread>
+
 #include "tests/compiler/verify/testing.h"
 #include "tests/slow.h"
 
@@ -453,7 +457,22 @@ class Hanging : public Verify {
     ::setenv("PATH", path_.c_str(), 1);
     Verify::TearDown();
   }
-  void hangs(const std::string& program) const { stands_in(program, "sleep 3600"); }
+  // and does not listen to who would end it
+  void hangs(const std::string& program) const {
+    stands_in(program,
+              "trap '' TERM; echo $$ > " + fs::absolute("process").string() + "; sleep 3600");
+  }
+  // Within ten seconds, since signals take their time; what nobody has waited for yet has ended.
+  static bool has_ended() {
+    const std::string stat = "/proc/" + std::to_string(std::stoi(read("process"))) + "/stat";
+    for (int tries = 0; tries < 1000; ++tries) {
+      std::ifstream file(stat);
+      std::string line;
+      if (!std::getline(file, line) || line.find(") Z ") != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
   void stands_in(const std::string& program, const std::string& does) const {
     fs::create_directory("bin");
     write("bin/" + program, "#!/bin/sh\n" + does + "\n");
@@ -470,6 +489,7 @@ TEST_F(Hanging, AModelCheckerLeavesItUnknown) {
   EXPECT_EQ(o.status, exit_inconclusive) << o.out << o.err;
   EXPECT_EQ(statuses(o.out, "switching", ""), Statuses{"unknown"}) << o.out;
   EXPECT_NE(o.out.find("spin has not ended within 20 s"), std::string::npos) << o.out;
+  EXPECT_TRUE(has_ended());
 }
 TEST_F(Hanging, AMissingModelCheckerIsNamed) {
   stands_in("spin", "exit 127");  // as a shell ends that finds none
@@ -492,6 +512,7 @@ TEST_F(Hanging, ASolverLeavesItUnknownAndIsAskedOnce) {
   EXPECT_NE(again.out.find("z3 has not ended within 20 s"), std::string::npos) << again.out;
   EXPECT_NE(again.out.find("z3 is not asked, since it has not ended before"), std::string::npos)
       << again.out;
+  EXPECT_TRUE(has_ended());
 }
 // Half of an answer is none, nor is that of a solver which was killed.
 TEST_F(Hanging, ASolverThatDiesHasProvedNothing) {
