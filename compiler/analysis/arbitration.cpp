@@ -90,6 +90,14 @@ class Pair {
       return entry_;
     }
     if (by_itself_ && others_may_break(decision_, judged_, recovery_)) return before_others();
+    if (!by_itself_ && stands(judged_.recovery) && !stands(recovery_) &&
+        asks_by_inputs(says, says.result)) {
+      entry_.why = quoted(recovery_.name) + " drives on, whatever inputs ask of " +
+                   quoted(judged_.recovery.name);
+      entry_.help.clear();
+      entry_.silences = true;
+      return entry_;
+    }
     return std::nullopt;
   }
 
@@ -138,6 +146,20 @@ class Pair {
     entry_.help.clear();
     entry_.while_told = true;
     return true;
+  }
+  static bool stands(const ir::Recovery& recovery) {
+    return std::ranges::all_of(ir::steps_of(recovery), [](const ir::Recovery* step) {
+      return step->kind == ir::RecoveryKind::brake;
+    });
+  }
+  // Something that has to hold, whatever the robot does.
+  static bool asks_by_inputs(const ir::Block& block, ir::ValueId id) {
+    const ir::Op& op = block[id].op;
+    if (const auto* v = std::get_if<ir::And>(&op)) {
+      return asks_by_inputs(block, v->a) || asks_by_inputs(block, v->b);
+    }
+    if (const ir::Block* body = ir::body_of(op)) return asks_by_inputs(*body, body->result);
+    return told(block, id);
   }
   // Perhaps of one side of it alone, where the recovery keeps another one.
   static bool speaks_of_inputs(const ir::Block& block, ir::ValueId id) {
@@ -654,6 +676,10 @@ Arbitration arbitration_of(const sema::RobotKind& kind, const ir::Module& module
       auto broken =
           Pair(kind, module, decision, exact, solid, endings, i, j, decision.coordinated).broken();
       if (!broken) continue;
+      if (broken->silences && j < i) {
+        all[i][j].silences = true;
+        continue;
+      }
       unkept[i][j] = true;
       broken->keeping = j < i ? Keeping::guarded : Keeping::broken;
       all[i][j] = std::move(*broken);

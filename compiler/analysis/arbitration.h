@@ -55,6 +55,9 @@ struct Entry {
   // It is guarded as inputs may ask for less speed than the recovery has (paces.h), and kept while
   // they do not.
   bool while_told = false;
+  // The judged monitor stands still for what inputs say alone, and the recovery drives on: broken
+  // where that ranks higher, and kept where it ranks lower.
+  bool silences = false;
   // Of what is coordinated: inputs and others alone break it, to which its own recovery is the
   // answer.
   bool answered = false;

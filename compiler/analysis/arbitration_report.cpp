@@ -19,7 +19,7 @@ std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Ar
   const std::size_t count = all.size();
   const auto breaks = [&](std::size_t i, std::size_t j) {
     const Keeping k = all[i][j].keeping;
-    return (k == Keeping::broken || k == Keeping::guarded) &&
+    return (k == Keeping::broken || k == Keeping::guarded || all[i][j].silences) &&
            !ir::acknowledged(decision, decision.monitors[i].recovery.name,
                              decision.monitors[j].name);
   };
@@ -37,7 +37,8 @@ std::vector<std::size_t> order_that_keeps(const ir::Decision& decision, const Ar
   };
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < count; ++j) {
-      if (breaks(i, j) && takes_turns(i, j)) return {};
+      // nobody takes turns with what inputs stop
+      if (breaks(i, j) && !all[i][j].silences && takes_turns(i, j)) return {};
     }
   }
   std::vector<std::size_t> order;

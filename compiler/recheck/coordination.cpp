@@ -26,6 +26,15 @@ bool answers_to_inputs(const sema::Expr& property) {
   return found;
 }
 
+bool asks_by_inputs(const sema::Expr& property) {
+  const auto* logic = std::get_if<sema::Logic>(&property.node);
+  if (logic != nullptr && logic->op == sema::LogicOp::logical_and) {
+    return std::ranges::any_of(logic->operands,
+                               [](const sema::ExprPtr& each) { return asks_by_inputs(*each); });
+  }
+  return !sema::speaks_of_robot(property) && answers_to_inputs(property);
+}
+
 bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& part,
                    const sema::Monitor& driving, const sema::Monitor& judged) {
   if (!driving.recover) return false;

@@ -8,6 +8,8 @@ namespace rtac::recheck {
 
 // It speaks of inputs, or of zones that come and go: its own recovery is the answer to that.
 bool answers_to_inputs(const sema::Expr& property);
+// Of that something has to hold, whatever the robot does.
+bool asks_by_inputs(const sema::Expr& property);
 // Proved of the recovery by itself, and not because another one takes over; or it is its own.
 bool shown_to_keep(const sema::Spec& spec, const sema::Decision& d, const Part& part,
                    const sema::Monitor& driving, const sema::Monitor& judged);

@@ -665,6 +665,9 @@ class Check {
       if (d.coordinated && driving.recover != m.recover && answers_to_inputs(*m.always)) {
         fail(whom(d, e) + ": only its own recovery answers to what it says of inputs");
       }
+      if (!d.coordinated && !takes_over(d, m, driving) && silences(driving, m)) {
+        fail(whom(d, e) + ": it drives on while inputs ask for a stop");
+      }
       const bool alike = driving.recover == m.recover && stands_and_holds(d, m);
       const bool slow = slow_beside_agents(d, spec_[*driving.recover], m);
       const bool answers = takes_over(d, m, driving) && !is_unsound(m.ahead);
@@ -679,6 +682,16 @@ class Check {
           fail(whom(d, e) + ": " + *why);
       }
     }
+  }
+  // `judged` stands still for what inputs say alone, and `driving` moves.
+  [[nodiscard]] bool silences(const sema::Monitor& driving, const sema::Monitor& judged) const {
+    const auto stands = [&](const sema::Monitor& m) {
+      const auto steps = sema::templates_of(spec_[*m.recover]);
+      return !steps.empty() && std::ranges::all_of(steps, [](const sema::Template& step) {
+        return std::holds_alternative<sema::BrakeAndHold>(step);
+      });
+    };
+    return judged.recover && stands(judged) && !stands(driving) && asks_by_inputs(*judged.always);
   }
   // `judged` ranks higher, and has another recovery, which drives as soon as its look-ahead fails.
   [[nodiscard]] bool takes_over(const sema::Decision& d, const sema::Monitor& judged,

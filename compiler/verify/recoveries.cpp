@@ -331,6 +331,7 @@ Obligation broken(const Subject& s, const analysis::Entry& entry, std::size_t dr
   // what inputs may ask for nobody has to drive to: it drives faster than that as it is written
   o.by_a_run = !entry.while_told || share_inputs(s, driving, judged) || is_never_false(s, judged) ||
                i.recovery.speed_mmps <= analysis::least_limit_mmps(j.property);
+  if (entry.silences) o.by_a_run = false;
   o.starts = starts_of_damage(s, driving, judged);
   if (atoms_of(j.property).charge) o.place_mm = engaged_at(s, i);
   if (!o.place_mm) o.place_mm = i.returns.stuck_mm;  // it waits there for ever

@@ -59,6 +59,33 @@ TEST_F(Told, NobodyLooksAfterAnEmergencyStopThatRanksLower) {
   const std::string accepts = "fence > told; acknowledge back may break told \"so slow\"";
   expect_proved(yard_with(halts, "0.3 m/s", accepts));
 }
+// However it is written: here as a property of inputs alone, which no recovery makes true or false.
+TEST_F(Told, NobodyDrivesOnWhileInputsAskForAStop) {
+  const std::string stopped = "not estop";
+  expect_proved(yard_with(stopped, "0.3 m/s", "told > fence"));
+  const Outcome o = verified(yard_with(stopped, "0.3 m/s", "fence > told"));
+  EXPECT_EQ(o.status, exit_violation) << o.out;
+  EXPECT_NE(o.err.find("`back` drives on, whatever inputs ask of `stop`"), std::string::npos)
+      << o.err;
+  EXPECT_NE(o.err.find("`priority told > fence;` works"), std::string::npos) << o.err;
+  const std::string accepts = "fence > told; acknowledge back may break told \"out first\"";
+  expect_proved(yard_with(stopped, "0.3 m/s", accepts));
+  // which a recheck does not take for proved
+  Json report = Json::parse(read("certificates/verification.json"));
+  for (Json& each : report["decisions"][0]["obligations"]) {
+    if (each["obligation"] != "C" || each["monitor"] != "told") continue;
+    each["status"] = "proved";
+    each["claims"] = Json::array({{{"claim", "recovery"},
+                                   {"decision", "gate"},
+                                   {"monitor", "fence"},
+                                   {"controller", "back"}}});
+  }
+  write("certificates/verification.json", report.dump());
+  const Outcome again = recheck_sealed_anew();
+  EXPECT_EQ(again.status, exit_violation) << again.out;
+  EXPECT_NE(again.out.find("it drives on while inputs ask for a stop"), std::string::npos)
+      << again.out;
+}
 TEST_F(Told, AnEmergencyStopIsItsOwnAnswerWhereverWhoCoordinatesRanksIt) {
   for (const char* const order : {"told > fence", "fence > told"}) {
     for (const char* const speed : {"0.3 m/s", "0.04 m/s"}) {
